@@ -1,0 +1,13 @@
+//! Beliefs: the sets of states an observer holds possible.
+//!
+//! On symbol `o` a belief becomes
+//! `B' = { ŝ | ∃ â, s̄ ∈ B: Γ(s̄, â) = ŝ, O_i(â, ŝ) = o }` (Section 2 of the paper). Under one
+//! sensor beliefs form a deterministic automaton, the subset construction (Rabin and Scott 1959,
+//! doi:10.1147/rd.32.0114), and the part of it that a problem reaches is small. So beliefs are
+//! interned in a [`BeliefSpace`] and each (belief, symbol) is worked out once, for every solver.
+
+mod memo;
+mod space;
+
+pub use memo::Memo;
+pub use space::{BeliefId, BeliefSpace};

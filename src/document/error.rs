@@ -1,0 +1,39 @@
+//! What can be wrong with a document.
+
+use thiserror::Error;
+
+/// Why a document was refused. Nothing of it is kept.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum DocumentError {
+    /// The text is not JSON.
+    #[error("line {line}, column {column}: {message}")]
+    Syntax {
+        /// The line, from 1.
+        line: usize,
+        /// The column, from 1.
+        column: usize,
+        /// What the JSON reader says.
+        message: String,
+    },
+    /// A value that does not fit.
+    #[error("{path}: found {found}, expected {expected}")]
+    Invalid {
+        /// Where, as in `goals[1].cell`.
+        path: String,
+        /// What stands there.
+        found: String,
+        /// What should.
+        expected: String,
+    },
+}
+
+impl DocumentError {
+    /// A value that does not fit.
+    pub fn invalid(
+        path: impl Into<String>,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Self {
+        Self::Invalid { path: path.into(), found: found.into(), expected: expected.into() }
+    }
+}

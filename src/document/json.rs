@@ -1,0 +1,167 @@
+//! A JSON value in which no key of an object is lost.
+
+use std::fmt;
+
+use rustc_hash::FxHashSet;
+use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
+
+use super::DocumentError;
+
+/// A JSON value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Json {
+    /// `null`
+    Null,
+    /// `true` or `false`
+    Bool(bool),
+    /// A whole number.
+    Integer(i128),
+    /// Any other number.
+    Float(f64),
+    /// Text.
+    Text(String),
+    /// A list.
+    Array(Vec<Json>),
+    /// Keys and values, in the order of the document.
+    Object(Vec<(String, Json)>),
+}
+
+impl Json {
+    /// Reads a text.
+    ///
+    /// # Errors
+    ///
+    /// [`DocumentError::Syntax`] with line and column; a key given twice is one.
+    pub fn parse(text: &str) -> Result<Self, DocumentError> {
+        serde_json::from_str(text).map_err(|error| {
+            let message = error.to_string();
+            let place = format!(" at line {} column {}", error.line(), error.column());
+            DocumentError::Syntax {
+                line: error.line(),
+                column: error.column(),
+                message: message.strip_suffix(&place).unwrap_or(&message).to_owned(),
+            }
+        })
+    }
+}
+
+/// As compact JSON, cut off where it gets long.
+impl fmt::Display for Json {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const SHOWN: usize = 4;
+        match self {
+            Self::Null => f.write_str("null"),
+            Self::Bool(value) => write!(f, "{value}"),
+            Self::Integer(value) => write!(f, "{value}"),
+            Self::Float(value) => write!(f, "{value}"),
+            Self::Text(text) => write!(f, "{}", quoted(text)),
+            Self::Array(items) => {
+                f.write_str("[")?;
+                for (index, item) in items.iter().take(SHOWN).enumerate() {
+                    if index > 0 {
+                        f.write_str(", ")?;
+                    }
+                    match item {
+                        Self::Array(_) | Self::Object(_) if index > 0 => f.write_str("…")?,
+                        _ => write!(f, "{item}")?,
+                    }
+                }
+                f.write_str(if items.len() > SHOWN { ", …]" } else { "]" })
+            }
+            Self::Object(entries) if entries.is_empty() => f.write_str("{}"),
+            Self::Object(entries) => write!(f, "{{{}: …}}", quoted(&entries[0].0)),
+        }
+    }
+}
+
+/// A text in quotation marks, cut off where it gets long.
+pub fn quoted(text: &str) -> String {
+    const SHOWN: usize = 40;
+    if text.chars().count() <= SHOWN {
+        return format!("{text:?}");
+    }
+    let begin: String = text.chars().take(SHOWN).collect();
+    format!("{:?}", begin + "…")
+}
+
+impl<'de> Deserialize<'de> for Json {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(JsonVisitor)
+    }
+}
+
+struct JsonVisitor;
+
+impl<'de> Visitor<'de> for JsonVisitor {
+    type Value = Json;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a JSON value")
+    }
+
+    fn visit_unit<E>(self) -> Result<Json, E> {
+        Ok(Json::Null)
+    }
+
+    fn visit_bool<E>(self, value: bool) -> Result<Json, E> {
+        Ok(Json::Bool(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Json, E> {
+        Ok(Json::Integer(value.into()))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Json, E> {
+        Ok(Json::Integer(value.into()))
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Json, E> {
+        Ok(Json::Float(value))
+    }
+
+    fn visit_str<E>(self, value: &str) -> Result<Json, E> {
+        Ok(Json::Text(value.to_owned()))
+    }
+
+    fn visit_string<E>(self, value: String) -> Result<Json, E> {
+        Ok(Json::Text(value))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Json, A::Error> {
+        let mut array = Vec::new();
+        while let Some(item) = items.next_element()? {
+            array.push(item);
+        }
+        Ok(Json::Array(array))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Json, A::Error> {
+        let mut object: Vec<(String, Json)> = Vec::new();
+        let mut seen = FxHashSet::default();
+        while let Some(key) = entries.next_key::<String>()? {
+            if !seen.insert(key.clone()) {
+                return Err(A::Error::custom(format!("the key {} is given twice", quoted(&key))));
+            }
+            object.push((key, entries.next_value()?));
+        }
+        Ok(Json::Object(object))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_given_twice_is_refused_with_its_place() {
+        let error = Json::parse("{\"a\": 1,\n \"a\": 2}").unwrap_err().to_string();
+        assert_eq!(error, "line 2, column 4: the key \"a\" is given twice");
+    }
+
+    #[test]
+    fn broken_text_has_a_place() {
+        let error = Json::parse("{\"a\": }").unwrap_err().to_string();
+        assert_eq!(error, "line 1, column 7: expected value");
+        assert!(Json::parse(&"[".repeat(100_000)).is_err());
+    }
+}

@@ -1,0 +1,13 @@
+//! Reading problem documents: JSON with places.
+//!
+//! - [`json`] is a JSON value that remembers the order of keys and refuses a key given twice,
+//! - [`reader`] walks it and knows where it is, so that every error names the place, what was found
+//!   and what was expected.
+//!
+//! What the documents of each format hold is the business of [`domain`](crate::domain).
+
+mod error;
+pub mod json;
+pub mod reader;
+
+pub use error::DocumentError;

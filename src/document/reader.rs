@@ -1,0 +1,161 @@
+//! Walks a JSON value and remembers where it is.
+
+use super::DocumentError;
+use super::json::{Json, quoted};
+
+/// A value and its place in the document.
+#[derive(Debug, Clone)]
+pub struct Reader<'a> {
+    value: &'a Json,
+    path: String,
+}
+
+/// An object whose keys have been checked.
+#[derive(Debug, Clone)]
+pub struct Fields<'a> {
+    entries: &'a [(String, Json)],
+    path: String,
+}
+
+impl<'a> Reader<'a> {
+    /// The whole document.
+    pub fn new(value: &'a Json) -> Self {
+        Self { value, path: String::new() }
+    }
+
+    /// Where this value stands, as in `goals[1].cell`.
+    pub fn path(&self) -> &str {
+        if self.path.is_empty() { "document" } else { &self.path }
+    }
+
+    /// The value itself.
+    pub fn value(&self) -> &'a Json {
+        self.value
+    }
+
+    /// The error that something else was expected here.
+    pub fn expected(&self, expected: impl Into<String>) -> DocumentError {
+        DocumentError::invalid(self.path(), self.value.to_string(), expected)
+    }
+
+    /// An object with any keys.
+    ///
+    /// # Errors
+    ///
+    /// The value is no object.
+    pub fn entries(&self) -> Result<Fields<'a>, DocumentError> {
+        match self.value {
+            Json::Object(entries) => Ok(Fields { entries, path: self.path.clone() }),
+            _ => Err(self.expected("an object")),
+        }
+    }
+
+    /// An object that has no keys but these.
+    ///
+    /// # Errors
+    ///
+    /// The value is no object, or it has another key.
+    pub fn fields(&self, known: &[&str]) -> Result<Fields<'a>, DocumentError> {
+        let fields = self.entries()?;
+        match fields.entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
+            None => Ok(fields),
+            Some((key, _)) => Err(DocumentError::invalid(
+                self.path(),
+                format!("the unknown key {}", quoted(key)),
+                format!("only {}", known.join(", ")),
+            )),
+        }
+    }
+
+    /// The items of a list.
+    ///
+    /// # Errors
+    ///
+    /// The value is no list.
+    pub fn items(&self) -> Result<Vec<Reader<'a>>, DocumentError> {
+        let Json::Array(items) = self.value else { return Err(self.expected("a list")) };
+        let item = |(i, value)| Reader { value, path: format!("{}[{i}]", self.path) };
+        Ok(items.iter().enumerate().map(item).collect())
+    }
+
+    /// Reads each item of a list.
+    ///
+    /// # Errors
+    ///
+    /// The value is no list, or an item does not fit.
+    pub fn list<T>(
+        &self,
+        mut read: impl FnMut(&Reader<'a>) -> Result<T, DocumentError>,
+    ) -> Result<Vec<T>, DocumentError> {
+        self.items()?.iter().map(&mut read).collect()
+    }
+
+    /// A text that is not empty.
+    ///
+    /// # Errors
+    ///
+    /// The value is something else.
+    pub fn text(&self) -> Result<&'a str, DocumentError> {
+        match self.value {
+            Json::Text(text) if !text.is_empty() => Ok(text),
+            _ => Err(self.expected("a text that is not empty")),
+        }
+    }
+
+    /// `true` or `false`.
+    ///
+    /// # Errors
+    ///
+    /// The value is something else.
+    pub fn boolean(&self) -> Result<bool, DocumentError> {
+        match self.value {
+            Json::Bool(value) => Ok(*value),
+            _ => Err(self.expected("true or false")),
+        }
+    }
+
+    /// A whole number in a range.
+    ///
+    /// # Errors
+    ///
+    /// The value is no whole number, or outside the range.
+    pub fn integer(&self, range: std::ops::RangeInclusive<u32>) -> Result<u32, DocumentError> {
+        let number = match self.value {
+            Json::Integer(value) => u32::try_from(*value).ok(),
+            _ => None,
+        };
+        number.filter(|value| range.contains(value)).ok_or_else(|| {
+            self.expected(format!("a whole number from {} to {}", range.start(), range.end()))
+        })
+    }
+}
+
+impl<'a> Fields<'a> {
+    fn path_of(&self, key: &str) -> String {
+        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+    }
+
+    /// The value of a key, where it is there.
+    pub fn optional(&self, key: &str) -> Option<Reader<'a>> {
+        let (_, value) = self.entries.iter().find(|(known, _)| known == key)?;
+        Some(Reader { value, path: self.path_of(key) })
+    }
+
+    /// The value of a key.
+    ///
+    /// # Errors
+    ///
+    /// The key is missing.
+    pub fn required(&self, key: &str, expected: &str) -> Result<Reader<'a>, DocumentError> {
+        let missing = || DocumentError::invalid(self.path_of(key), "nothing", expected);
+        self.optional(key).ok_or_else(missing)
+    }
+
+    /// All keys and values.
+    pub fn all(&self) -> impl Iterator<Item = (&'a str, Reader<'a>)> + '_ {
+        let reader = |(key, value): &'a (String, Json)| {
+            (key.as_str(), Reader { value, path: self.path_of(key) })
+        };
+        self.entries.iter().map(reader)
+    }
+}

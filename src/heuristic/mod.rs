@@ -1,0 +1,14 @@
+//! Heuristics: estimates of how far a goal is.
+//!
+//! - [`set_additive`] is the set-additive heuristic of a state,
+//! - [`goal_values`] remembers it for every candidate goal and every state met, and derives from it
+//!   how far each goal is from a belief.
+
+pub mod goal_values;
+pub mod set_additive;
+
+pub use goal_values::GoalValues;
+pub use set_additive::SetAdditive;
+
+/// The value of a goal that cannot be reached even when deletes are ignored.
+pub const UNREACHABLE: u32 = u32::MAX;

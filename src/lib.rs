@@ -1,0 +1,23 @@
+//! Planning under two kinds of eyes.
+//!
+//! An agent must reach its goal so that a *friend* watching it understands what it is after while
+//! an *enemy* watching it stays in doubt. Each observer has its own sensor and keeps a belief, the
+//! set of states the agent could be in; the agent wants many candidate goals to survive in the
+//! enemy's belief and few in the friend's.
+//!
+//! The model is MO-COPP of A. Kulkarni, S. Srivastava and S. Kambhampati, "Signaling Friends and
+//! Head-Faking Enemies Simultaneously: Balancing Goal Obfuscation and Goal Legibility" (2020).
+
+pub mod belief;
+pub mod document;
+pub mod domain;
+pub mod goal_difference;
+pub mod heuristic;
+pub mod limits;
+pub mod plan;
+pub mod problem;
+pub mod report;
+pub mod sensor;
+pub mod solver;
+pub mod task;
+pub mod trace;

@@ -1,0 +1,83 @@
+//! Limits: where work stops before memory or patience runs out.
+//!
+//! A limit is neither an error nor the answer that no plan exists. It counts contents (bytes,
+//! expansions, nodes), never time, so that the same input stops at the same place.
+
+use thiserror::Error;
+
+/// A limit that was met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum LimitReached {
+    /// The states, transitions, beliefs and search nodes take more memory than allowed.
+    #[error("memory limit reached: {limit_mib} MiB of states, beliefs and nodes")]
+    Memory {
+        /// The limit in MiB (2²⁰ bytes).
+        limit_mib: u64,
+    },
+    /// More nodes were expanded than allowed.
+    #[error("expansion limit reached: {limit}")]
+    Expansions {
+        /// The limit.
+        limit: u64,
+    },
+    /// More branch-and-bound nodes than allowed.
+    #[error("node limit reached: {limit} branch-and-bound nodes")]
+    Nodes {
+        /// The limit.
+        limit: u64,
+    },
+    /// An integer program larger than the solver takes.
+    #[error(
+        "model limit reached: the integer program would have more than {limit} nonzero coefficients"
+    )]
+    Model {
+        /// The limit in nonzero coefficients.
+        limit: u64,
+    },
+    /// Somebody asked for the work to stop.
+    #[error("stopped on request")]
+    Cancelled,
+}
+
+/// What a run may use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Limits {
+    /// Bytes of states, transitions, beliefs and nodes, counted by contents. Containers that grow
+    /// can hold up to three times as much for a moment, so the default is a third of what the
+    /// process may take: 2 GiB natively, 512 MiB in wasm.
+    pub bytes: u64,
+    /// Expansions of an exact or best-first search.
+    pub expansions: u64,
+    /// Nodes of branch and bound.
+    pub nodes: u64,
+    /// Nonzero coefficients of an integer program.
+    pub nonzeros: u64,
+}
+
+const MIB: u64 = 1 << 20;
+
+impl Limits {
+    /// Checks a number of bytes against the limit.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when it is over.
+    pub fn check_bytes(&self, bytes: u64) -> Result<(), LimitReached> {
+        if bytes > self.bytes {
+            return Err(LimitReached::Memory { limit_mib: self.bytes / MIB });
+        }
+        Ok(())
+    }
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        let wasm = cfg!(target_arch = "wasm32");
+        Self {
+            bytes: if wasm { 160 * MIB } else { 640 * MIB },
+            expansions: u64::MAX,
+            nodes: u64::MAX,
+            nonzeros: if wasm { 400_000 } else { 1_600_000 },
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! The command `mo-copp`.
+
+fn main() {}

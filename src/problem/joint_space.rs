@@ -1,0 +1,303 @@
+//! The space the actor really plans in: its state together with what every observer believes.
+//!
+//! A *profile* holds one belief for each observer. Profiles are interned as beliefs are, and the
+//! profile that follows from a profile and the symbols of a step is remembered too, so that a
+//! transition met before costs one look-up, however many observers there are.
+
+use std::hash::{BuildHasher, BuildHasherDefault};
+use std::sync::Arc;
+
+use hashbrown::HashTable;
+use rustc_hash::{FxHashMap, FxHasher};
+
+use super::{Problem, SurvivorCounts};
+use crate::belief::{BeliefId, BeliefSpace, Memo};
+use crate::goal_difference::{GoalSet, Survivors};
+use crate::limits::{LimitReached, Limits};
+use crate::sensor::Symbol;
+use crate::task::{Action, StateId, StateSpace};
+
+/// A profile met in a [`JointSpace`], by its number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ProfileId(pub(crate) u32);
+
+impl ProfileId {
+    /// Its number, from 0 in the order of discovery.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// The actor's state and the observers' profile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Node {
+    /// Where the actor is.
+    pub state: StateId,
+    /// What the observers believe.
+    pub profile: ProfileId,
+}
+
+/// Interned tuples of numbers, all of one width.
+#[derive(Debug, Clone)]
+struct Tuples {
+    width: usize,
+    items: Vec<u32>,
+    table: HashTable<u32>,
+    count: u32,
+}
+
+impl Tuples {
+    fn new(width: usize) -> Self {
+        Self { width, items: Vec::new(), table: HashTable::new(), count: 0 }
+    }
+
+    fn get(&self, id: u32) -> &[u32] {
+        &self.items[id as usize * self.width..][..self.width]
+    }
+
+    fn intern(&mut self, tuple: &[u32]) -> u32 {
+        let hash = |tuple: &[u32]| BuildHasherDefault::<FxHasher>::default().hash_one(tuple);
+        let (items, width) = (&self.items, self.width);
+        let at = |id: u32| &items[id as usize * width..][..width];
+        let entry = self.table.entry(hash(tuple), |&id| at(id) == tuple, |&id| hash(at(id)));
+        match entry {
+            hashbrown::hash_table::Entry::Occupied(known) => *known.get(),
+            hashbrown::hash_table::Entry::Vacant(vacant) => {
+                let id = self.count;
+                vacant.insert(id);
+                self.items.extend_from_slice(tuple);
+                self.count += 1;
+                id
+            }
+        }
+    }
+}
+
+/// Columns of the dense profile memory, at most; more combinations of symbols are numbered as they
+/// are met.
+const DIRECT_COMBINATIONS: usize = 64;
+
+/// States, beliefs and profiles of one problem, as met so far.
+#[derive(Debug, Clone)]
+pub struct JointSpace {
+    problem: Arc<Problem>,
+    limits: Limits,
+    states: StateSpace,
+    beliefs: Vec<BeliefSpace>,
+    profiles: Tuples,
+    /// The number of the combination of symbols on each edge.
+    combinations: Vec<u32>,
+    combination_numbers: FxHashMap<Vec<u32>, u32>,
+    direct: bool,
+    memo: Memo,
+    survivors: Survivors,
+    counts: Vec<Option<SurvivorCounts>>,
+    scratch: Vec<u32>,
+}
+
+impl JointSpace {
+    /// The empty space of a problem.
+    pub fn new(problem: Arc<Problem>, limits: Limits) -> Self {
+        let states = StateSpace::new(Arc::clone(problem.task()));
+        let beliefs: Vec<BeliefSpace> = problem
+            .observers()
+            .iter()
+            .map(|observer| BeliefSpace::new(Arc::clone(&observer.sensor)))
+            .collect();
+        let combinations = beliefs
+            .iter()
+            .try_fold(1_usize, |product, space| product.checked_mul(space.sensor().symbol_count()))
+            .unwrap_or(usize::MAX);
+        let direct = combinations <= DIRECT_COMBINATIONS;
+        let goals = problem.goals().iter().map(|goal| goal.condition.clone()).collect();
+        Self {
+            limits,
+            states,
+            profiles: Tuples::new(beliefs.len()),
+            combinations: Vec::new(),
+            combination_numbers: FxHashMap::default(),
+            direct,
+            memo: Memo::new(combinations),
+            survivors: Survivors::new(goals, beliefs.len()),
+            counts: Vec::new(),
+            scratch: Vec::new(),
+            beliefs,
+            problem,
+        }
+    }
+
+    /// The problem.
+    pub fn problem(&self) -> &Arc<Problem> {
+        &self.problem
+    }
+
+    /// The limits in force.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// The states met so far.
+    pub fn states(&self) -> &StateSpace {
+        &self.states
+    }
+
+    /// The states met so far, to expand more of them.
+    pub fn states_mut(&mut self) -> &mut StateSpace {
+        &mut self.states
+    }
+
+    /// The beliefs of the observer at a position.
+    pub fn beliefs(&self, observer: usize) -> &BeliefSpace {
+        &self.beliefs[observer]
+    }
+
+    /// How many profiles have been met.
+    pub fn profile_count(&self) -> usize {
+        self.profiles.count as usize
+    }
+
+    /// Bytes in use, counted by contents.
+    pub fn bytes(&self) -> u64 {
+        let own = 4 * (self.profiles.items.len() + self.combinations.len())
+            + size_of::<Option<SurvivorCounts>>() * self.counts.len();
+        let beliefs: u64 = self.beliefs.iter().map(BeliefSpace::bytes).sum();
+        self.states.bytes() + beliefs + own as u64 + self.memo.bytes()
+    }
+
+    /// The initial state with the initial beliefs.
+    pub fn initial(&mut self) -> Node {
+        let problem = Arc::clone(&self.problem);
+        let state = self.states.intern(problem.task().initial_state());
+        let mut profile = Vec::with_capacity(self.beliefs.len());
+        for (observer, beliefs) in problem.observers().iter().zip(&mut self.beliefs) {
+            let members = observer.initial_belief.iter().map(|s| self.states.intern(s)).collect();
+            profile.push(beliefs.intern(members).0);
+        }
+        Node { state, profile: ProfileId(self.profiles.intern(&profile)) }
+    }
+
+    /// The belief of one observer in a profile.
+    pub fn belief(&self, profile: ProfileId, observer: usize) -> BeliefId {
+        BeliefId(self.profiles.get(profile.0)[observer])
+    }
+
+    /// The symbol one observer sees on an edge, by the edge's position in the state space.
+    pub fn symbol(&mut self, observer: usize, edge: usize) -> Symbol {
+        self.beliefs[observer].reading(&self.states, edge)
+    }
+
+    /// The belief of one observer after a symbol.
+    ///
+    /// # Errors
+    ///
+    /// The memory limit.
+    pub fn update(
+        &mut self,
+        observer: usize,
+        belief: BeliefId,
+        symbol: Symbol,
+    ) -> Result<BeliefId, LimitReached> {
+        self.beliefs[observer].update(&mut self.states, belief, symbol, &self.limits)
+    }
+
+    /// Numbers the combinations of symbols on edges that are new.
+    fn combine_new_edges(&mut self) {
+        for edge in self.combinations.len()..self.states.edge_count() {
+            self.scratch.clear();
+            for beliefs in &mut self.beliefs {
+                self.scratch.push(beliefs.reading(&self.states, edge).0);
+            }
+            let number = if self.direct {
+                let mut number = 0;
+                for (symbol, beliefs) in self.scratch.iter().zip(&self.beliefs) {
+                    number = number * beliefs.sensor().symbol_count() as u32 + symbol;
+                }
+                number
+            } else if let Some(&number) = self.combination_numbers.get(&self.scratch) {
+                number
+            } else {
+                let number = self.combination_numbers.len() as u32;
+                self.combination_numbers.insert(self.scratch.clone(), number);
+                number
+            };
+            self.combinations.push(number);
+        }
+    }
+
+    /// The profile that follows when the actor takes an edge.
+    fn follow(&mut self, profile: ProfileId, edge: usize) -> Result<ProfileId, LimitReached> {
+        let combination = self.combinations[edge];
+        if let Some(known) = self.memo.get(profile.0, combination) {
+            return Ok(ProfileId(known));
+        }
+        let mut next = Vec::with_capacity(self.beliefs.len());
+        for (observer, beliefs) in self.beliefs.iter_mut().enumerate() {
+            let belief = BeliefId(self.profiles.get(profile.0)[observer]);
+            let symbol = beliefs.reading(&self.states, edge);
+            next.push(beliefs.update(&mut self.states, belief, symbol, &self.limits)?.0);
+        }
+        let next = self.profiles.intern(&next);
+        self.memo.set(profile.0, combination, next);
+        Ok(ProfileId(next))
+    }
+
+    /// Writes the actions and nodes that follow a node into `found`, by operator, for the resulting
+    /// states that `keep` wants.
+    ///
+    /// # Errors
+    ///
+    /// The memory limit.
+    pub fn expand(
+        &mut self,
+        node: Node,
+        keep: impl Fn(StateId) -> bool,
+        found: &mut Vec<(Action, Node)>,
+    ) -> Result<(), LimitReached> {
+        found.clear();
+        self.states.expand(node.state);
+        self.combine_new_edges();
+        for edge in self.states.edge_range(node.state) {
+            let taken = self.states.all_edges()[edge];
+            if keep(taken.target) {
+                let profile = self.follow(node.profile, edge)?;
+                found.push((taken.action, Node { state: taken.target, profile }));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the true goal holds in a state.
+    pub fn is_goal(&mut self, state: StateId) -> bool {
+        let goal = self.problem.true_goal();
+        self.survivors.of_state(&self.states, state).contains(goal)
+    }
+
+    /// The goals a state satisfies.
+    pub fn goals_of_state(&mut self, state: StateId) -> &GoalSet {
+        self.survivors.of_state(&self.states, state)
+    }
+
+    /// The goals that survive in a belief of one observer.
+    pub fn survivors(&mut self, observer: usize, belief: BeliefId) -> &GoalSet {
+        self.survivors.of_belief(&self.states, observer, &self.beliefs[observer], belief)
+    }
+
+    /// The goals that survive for each observer in a profile.
+    pub fn survivor_sets(&mut self, profile: ProfileId) -> Vec<GoalSet> {
+        let observers = 0..self.beliefs.len();
+        observers.map(|i| self.survivors(i, self.belief(profile, i)).clone()).collect()
+    }
+
+    /// How many goals survive for each side in a profile. Remembered.
+    pub fn counts(&mut self, profile: ProfileId) -> SurvivorCounts {
+        if let Some(Some(counts)) = self.counts.get(profile.index()) {
+            return *counts;
+        }
+        let sets = self.survivor_sets(profile);
+        let counts = self.problem.survivor_counts(&sets);
+        let needed = self.counts.len().max(profile.index() + 1);
+        self.counts.resize(needed, None);
+        self.counts[profile.index()] = Some(counts);
+        counts
+    }
+}

@@ -1,0 +1,112 @@
+//! The approximate beliefs of Algorithm 1, and which of them are closed.
+//!
+//! `approx` returns a belief of at most Δ states that contains the true state. Our reading of the
+//! paper's "unique Δ-sized combinations": among the Δ-subsets of each belief that contain the true
+//! state, in a fixed order, take the first combination over all observers that is not closed yet.
+//! Subsets are ordered by the positions of their members in the belief, lexicographically, and the
+//! last observer's subset changes fastest. Every combination passed over was taken by another node
+//! of the same state, so no node looks at more combinations than there are such nodes.
+
+use rustc_hash::FxHashSet;
+
+use crate::problem::{JointSpace, Node};
+use crate::task::StateId;
+
+/// The closed combinations of a search.
+#[derive(Debug)]
+pub(super) struct Approximations {
+    /// Δ.
+    size: usize,
+    closed: FxHashSet<Box<[u32]>>,
+    bytes: u64,
+}
+
+/// Goes through the Δ-subsets of a belief that contain one state.
+#[derive(Debug)]
+struct Subsets<'a> {
+    members: &'a [StateId],
+    /// The position of the state that is always in.
+    truth: usize,
+    /// Which of the others are in, counted without it.
+    chosen: Vec<usize>,
+}
+
+impl<'a> Subsets<'a> {
+    fn new(members: &'a [StateId], truth: StateId, size: usize) -> Self {
+        let truth = members.binary_search(&truth).unwrap_or(members.len());
+        Self { members, truth, chosen: (0..(size - 1).min(members.len() - 1)).collect() }
+    }
+
+    fn chosen(&self) -> impl Iterator<Item = u32> + '_ {
+        self.chosen.iter().map(|&other| self.members[other + usize::from(other >= self.truth)].0)
+    }
+
+    /// Moves to the next subset; false after the last, which leads back to the first.
+    fn step(&mut self) -> bool {
+        let count = self.chosen.len();
+        let room = self.members.len() - 1 - count;
+        let place = (0..count).rev().find(|&place| self.chosen[place] < room + place);
+        let Some(place) = place else {
+            self.chosen = (0..count).collect();
+            return false;
+        };
+        self.chosen[place] += 1;
+        for next in place + 1..count {
+            self.chosen[next] = self.chosen[next - 1] + 1;
+        }
+        true
+    }
+}
+
+impl Approximations {
+    pub(super) fn new() -> Self {
+        Self { size: 1, closed: FxHashSet::default(), bytes: 0 }
+    }
+
+    /// Δ.
+    pub(super) fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Raises Δ by one.
+    pub(super) fn grow(&mut self) {
+        self.size += 1;
+    }
+
+    /// Bytes in use, counted by contents.
+    pub(super) fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// Closes the first combination that is open for a node; false when there is none.
+    pub(super) fn close(&mut self, joint: &JointSpace, node: Node, steps: u32) -> bool {
+        let observers = joint.problem().observers().len();
+        let mut subsets: Vec<Subsets<'_>> = (0..observers)
+            .map(|observer| {
+                let belief = joint.belief(node.profile, observer);
+                let members = joint.beliefs(observer).members(belief);
+                Subsets::new(members, node.state, self.size)
+            })
+            .collect();
+        let mut key = Vec::new();
+        loop {
+            key.clear();
+            key.extend([node.state.0, steps]);
+            for subset in &subsets {
+                // The number of members keeps one observer's from running into the next one's.
+                key.push(subset.chosen.len() as u32);
+                key.extend(subset.chosen());
+            }
+            if !self.closed.contains(key.as_slice()) {
+                self.bytes += 4 * key.len() as u64 + 24;
+                self.closed.insert(key.into_boxed_slice());
+                return true;
+            }
+            // Like an odometer: the last one that can move does, those behind it start again.
+            let moved = subsets.iter_mut().rev().any(Subsets::step);
+            if !moved {
+                return false;
+            }
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! The best-first loop that every variant shares.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::fmt::Debug;
+use std::hash::Hash;
+
+use crate::limits::{LimitReached, Limits};
+use crate::plan::Plan;
+use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::outcome::{Progress, Stats, Status};
+use crate::solver::tree::SearchTree;
+use crate::task::Action;
+
+/// What becomes of a node whose turn has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Admission {
+    /// It is expanded.
+    Expand,
+    /// It waits for the next round.
+    Defer,
+}
+
+/// What is searched.
+pub(super) trait SearchSpace: Debug + Send {
+    /// What tells nodes apart.
+    type Key: Copy + Eq + Hash + Debug + Send;
+
+    /// Where the search begins.
+    fn root(&mut self) -> Self::Key;
+
+    /// Whether a plan may end here.
+    fn is_goal(&mut self, key: Self::Key) -> bool;
+
+    /// The heuristic value of a node; none for a dead end.
+    fn value(&mut self, key: Self::Key) -> Option<i64>;
+
+    /// The nodes that follow.
+    fn expand(
+        &mut self,
+        key: Self::Key,
+        found: &mut Vec<(Action, Self::Key)>,
+    ) -> Result<(), LimitReached>;
+
+    /// Whether a node is expanded in this round. A space that never defers has one round.
+    fn admit(&mut self, _key: Self::Key) -> Admission {
+        Admission::Expand
+    }
+
+    /// All nodes of this round are done and some wait.
+    fn next_round(&mut self) {}
+
+    /// The limits in force.
+    fn limits(&self) -> &Limits;
+
+    /// Bytes in use, counted by contents.
+    fn bytes(&self) -> u64;
+
+    /// Fills in what the space has met.
+    fn count(&self, stats: &mut Stats);
+}
+
+/// Least value first, then the oldest.
+type Open = BinaryHeap<Reverse<(i64, u64, u32)>>;
+
+/// A best-first search at work.
+#[derive(Debug)]
+pub(super) struct BestFirst<S: SearchSpace> {
+    space: S,
+    tree: SearchTree<S::Key>,
+    open: Open,
+    deferred: Open,
+    pushed: u64,
+    expansions: u64,
+    /// The node that ends a plan.
+    end: Option<usize>,
+    found: Vec<(Action, S::Key)>,
+}
+
+impl<S: SearchSpace> BestFirst<S> {
+    pub(super) fn new(mut space: S) -> Self {
+        let root = space.root();
+        let mut search = Self {
+            space,
+            tree: SearchTree::new(root),
+            open: BinaryHeap::new(),
+            deferred: BinaryHeap::new(),
+            pushed: 0,
+            expansions: 0,
+            end: None,
+            found: Vec::new(),
+        };
+        search.push(0);
+        search
+    }
+
+    /// Opens a node that is new, unless it is a dead end. The goal is tested here and not when the
+    /// node's turn comes: a plan found is a plan.
+    fn push(&mut self, index: usize) {
+        let key = self.tree.key(index);
+        if self.space.is_goal(key) {
+            self.end = Some(index);
+        } else if let Some(value) = self.space.value(key) {
+            self.open.push(Reverse((value, self.pushed, index as u32)));
+            self.pushed += 1;
+        }
+    }
+
+    fn check_limits(&self) -> Result<(), LimitReached> {
+        let limits = self.space.limits();
+        let open = size_of::<Reverse<(i64, u64, u32)>>() * (self.open.len() + self.deferred.len());
+        limits.check_bytes(self.space.bytes() + self.tree.bytes() + open as u64)?;
+        if self.expansions >= limits.expansions {
+            return Err(LimitReached::Expansions { limit: limits.expansions });
+        }
+        Ok(())
+    }
+
+    fn expand(&mut self, index: usize) -> Result<(), LimitReached> {
+        let mut found = std::mem::take(&mut self.found);
+        let expanded = self.space.expand(self.tree.key(index), &mut found);
+        self.expansions += 1;
+        if expanded.is_ok() {
+            for &(action, key) in &found {
+                if let Some(new) = self.tree.meet(key, index, action) {
+                    self.push(new);
+                    if self.end.is_some() {
+                        break;
+                    }
+                }
+            }
+        }
+        self.found = found;
+        expanded
+    }
+
+    fn plan(&self) -> Option<Plan> {
+        self.end.map(|index| self.tree.plan(index))
+    }
+}
+
+impl<S: SearchSpace> Engine for BestFirst<S> {
+    fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
+        for count in 0..budget {
+            if let Some(plan) = self.plan() {
+                return Ok(Advance::Finished(Finding::plan(Status::Solved, plan)));
+            }
+            if count % 16 == 0 {
+                self.check_limits()?;
+            }
+            let Some(next) = self.open.pop() else {
+                if self.deferred.is_empty() {
+                    return Ok(Advance::Finished(Finding::infeasible()));
+                }
+                self.space.next_round();
+                std::mem::swap(&mut self.open, &mut self.deferred);
+                continue;
+            };
+            let Reverse((_, _, index)) = next;
+            match self.space.admit(self.tree.key(index as usize)) {
+                Admission::Expand => self.expand(index as usize)?,
+                Admission::Defer => self.deferred.push(next),
+            }
+        }
+        Ok(Advance::Working)
+    }
+
+    fn stop(&mut self, limit: LimitReached) -> Finding {
+        match self.plan() {
+            Some(plan) => Finding::plan(Status::Solved, plan),
+            None => Finding::stopped(None, limit),
+        }
+    }
+
+    fn report(&self, _progress: &mut Progress) {}
+
+    fn stats(&self) -> Stats {
+        let mut stats = Stats {
+            expansions: self.expansions,
+            generated: self.tree.len() as u64,
+            ..Stats::default()
+        };
+        self.space.count(&mut stats);
+        stats
+    }
+}

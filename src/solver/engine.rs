@@ -1,0 +1,71 @@
+//! What every solver looks like from inside: work that can be done in slices.
+
+use crate::limits::LimitReached;
+use crate::plan::Plan;
+
+use super::SolveError;
+use super::outcome::{ParetoPoint, Progress, Stats, Status};
+
+/// Where the work stands after a slice.
+#[derive(Debug)]
+pub(super) enum Advance {
+    /// There is more to do.
+    Working,
+    /// This is the answer.
+    Finished(Finding),
+}
+
+/// An answer before it is replayed.
+#[derive(Debug)]
+pub(super) struct Finding {
+    pub status: Status,
+    pub plan: Option<Plan>,
+    pub pareto: Option<Vec<ParetoPoint>>,
+    pub limit: Option<LimitReached>,
+}
+
+impl Finding {
+    pub(super) fn infeasible() -> Self {
+        Self { status: Status::Infeasible, plan: None, pareto: None, limit: None }
+    }
+
+    pub(super) fn plan(status: Status, plan: Plan) -> Self {
+        Self { status, plan: Some(plan), pareto: None, limit: None }
+    }
+
+    /// Stopped before the proof, with or without a plan.
+    pub(super) fn stopped(plan: Option<Plan>, limit: LimitReached) -> Self {
+        let status = if plan.is_some() { Status::Feasible } else { Status::Limit };
+        Self { status, plan, pareto: None, limit: Some(limit) }
+    }
+}
+
+/// Why a slice ended without an answer.
+#[derive(Debug)]
+pub(super) enum Halt {
+    /// A limit.
+    Limit(LimitReached),
+    /// Something that should not happen.
+    Error(SolveError),
+}
+
+impl From<LimitReached> for Halt {
+    fn from(limit: LimitReached) -> Self {
+        Self::Limit(limit)
+    }
+}
+
+/// A solver at work on one horizon.
+pub(super) trait Engine: std::fmt::Debug + Send {
+    /// Works for about `budget` expansions or nodes.
+    fn advance(&mut self, budget: u64) -> Result<Advance, Halt>;
+
+    /// What can be said when the work stops here.
+    fn stop(&mut self, limit: LimitReached) -> Finding;
+
+    /// Fills in what is known.
+    fn report(&self, progress: &mut Progress);
+
+    /// What the work took so far.
+    fn stats(&self) -> Stats;
+}

@@ -1,0 +1,138 @@
+//! The best plans of all lengths, breadth first.
+
+use std::sync::Arc;
+
+use super::pairs::Pairs;
+use crate::limits::LimitReached;
+use crate::problem::{JointSpace, Node, Problem};
+use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::live::Live;
+use crate::solver::outcome::{Progress, Stats};
+use crate::solver::tree::SearchTree;
+use crate::solver::{Bounds, Options};
+use crate::task::Action;
+
+/// Exact search over all horizons. The first plan found for a pair of counts is a shortest one,
+/// since nodes are met in the order of their distance.
+#[derive(Debug)]
+pub(in crate::solver) struct Closure {
+    joint: JointSpace,
+    bounds: Bounds,
+    pareto: bool,
+    live: Option<Live>,
+    tree: SearchTree<Node>,
+    next: usize,
+    pairs: Pairs,
+    found: Vec<(Action, Node)>,
+}
+
+impl Closure {
+    pub(in crate::solver) fn new(problem: Arc<Problem>, options: &Options) -> Self {
+        let mut joint = JointSpace::new(problem, options.limits);
+        let tree = SearchTree::new(joint.initial());
+        Self {
+            joint,
+            tree,
+            bounds: options.heeded_bounds(),
+            pareto: options.pareto,
+            live: None,
+            next: 0,
+            pairs: Pairs::default(),
+            found: Vec::new(),
+        }
+    }
+
+    fn check_limits(&self) -> Result<(), LimitReached> {
+        let limits = self.joint.limits();
+        limits.check_bytes(self.joint.bytes() + self.tree.bytes())?;
+        if self.next as u64 >= limits.expansions {
+            return Err(LimitReached::Expansions { limit: limits.expansions });
+        }
+        Ok(())
+    }
+
+    /// Takes note of a node that may end a plan.
+    fn note(&mut self, index: usize) {
+        let node = self.tree.key(index);
+        if self.joint.is_goal(node.state) {
+            self.pairs.offer(&mut self.joint, &self.bounds, node.profile, index);
+        }
+    }
+
+    fn finding(&self) -> Finding {
+        self.pairs.finding(self.pareto, |index| self.tree.plan(index))
+    }
+
+    /// Nothing can beat a plan that leaves every goal to the enemy and one to the friend.
+    fn cannot_be_beaten(&self) -> bool {
+        let most = self.joint.problem().goals().len() as i64 - 1;
+        !self.pareto && self.pairs.best().is_some_and(|(counts, _)| counts.difference() == most)
+    }
+
+    fn work(&mut self, live: &Live, budget: u64) -> Result<bool, LimitReached> {
+        for count in 0..budget {
+            if self.next == self.tree.len() || self.cannot_be_beaten() {
+                return Ok(true);
+            }
+            if count % 64 == 0 {
+                self.check_limits()?;
+            }
+            let mut found = std::mem::take(&mut self.found);
+            let node = self.tree.key(self.next);
+            self.joint.expand(node, |state| live.contains(state), &mut found)?;
+            for &(action, node) in &found {
+                if let Some(index) = self.tree.meet(node, self.next, action) {
+                    self.note(index);
+                }
+            }
+            self.found = found;
+            self.next += 1;
+        }
+        Ok(false)
+    }
+}
+
+impl Engine for Closure {
+    fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
+        let live = match self.live.take() {
+            Some(live) => live,
+            None => {
+                let live = Live::new(&mut self.joint)?;
+                if !live.contains(self.tree.key(0).state) {
+                    return Ok(Advance::Finished(self.finding()));
+                }
+                self.note(0);
+                live
+            }
+        };
+        let done = self.work(&live, budget);
+        self.live = Some(live);
+        if done? {
+            return Ok(Advance::Finished(self.finding()));
+        }
+        Ok(Advance::Working)
+    }
+
+    fn stop(&mut self, limit: LimitReached) -> Finding {
+        let best = self.pairs.best().map(|(_, index)| self.tree.plan(index));
+        Finding::stopped(best, limit)
+    }
+
+    fn report(&self, progress: &mut Progress) {
+        progress.bound = Some(1.0);
+        if let Some((counts, index)) = self.pairs.best() {
+            progress.goal_difference = Some(self.joint.problem().goal_difference(counts));
+            progress.plan = Some(self.tree.plan(index));
+        }
+    }
+
+    fn stats(&self) -> Stats {
+        let mut stats = Stats {
+            expansions: self.next as u64,
+            generated: self.tree.len() as u64,
+            ..Stats::default()
+        };
+        stats.count_spaces(&self.joint);
+        stats
+    }
+}

@@ -1,0 +1,169 @@
+//! The best plans of exactly T actions, step by step.
+
+use std::sync::Arc;
+
+use super::pairs::{Pairs, allowed};
+use crate::limits::LimitReached;
+use crate::plan::Plan;
+use crate::problem::{JointSpace, Node, Problem};
+use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::live::LiveLayers;
+use crate::solver::outcome::{Progress, Stats};
+use crate::solver::tree::SearchTree;
+use crate::solver::{Bounds, Options};
+use crate::task::Action;
+
+/// When stopped early, this many nodes are followed to the goal at most.
+const FINISHED_ON_STOP: usize = 256;
+
+/// Exact search at a horizon.
+#[derive(Debug)]
+pub(in crate::solver) struct Layers {
+    joint: JointSpace,
+    bounds: Bounds,
+    pareto: bool,
+    horizon: usize,
+    live: Option<LiveLayers>,
+    /// Nodes of all layers one after the other; a node met in two layers is there twice.
+    tree: SearchTree<Node>,
+    /// Where the present layer begins and ends, and the next node of it to expand.
+    layer: std::ops::Range<usize>,
+    next: usize,
+    step: usize,
+    expansions: u64,
+    found: Vec<(Action, Node)>,
+}
+
+impl Layers {
+    pub(in crate::solver) fn new(problem: Arc<Problem>, options: &Options, horizon: usize) -> Self {
+        let mut joint = JointSpace::new(problem, options.limits);
+        let tree = SearchTree::new(joint.initial());
+        Self {
+            joint,
+            tree,
+            bounds: options.heeded_bounds(),
+            pareto: options.pareto,
+            horizon,
+            live: None,
+            layer: 0..1,
+            next: 0,
+            step: 0,
+            expansions: 0,
+            found: Vec::new(),
+        }
+    }
+
+    fn check_limits(&self) -> Result<(), LimitReached> {
+        let limits = self.joint.limits();
+        limits.check_bytes(self.joint.bytes() + self.tree.bytes())?;
+        if self.expansions >= limits.expansions {
+            return Err(LimitReached::Expansions { limit: limits.expansions });
+        }
+        Ok(())
+    }
+
+    fn expand(&mut self, live: &LiveLayers, index: usize) -> Result<(), LimitReached> {
+        let node = self.tree.key(index);
+        let keep = |state| live.contains(self.step + 1, state);
+        self.joint.expand(node, keep, &mut self.found)?;
+        self.expansions += 1;
+        for &(action, node) in &self.found {
+            self.tree.meet(node, index, action);
+        }
+        Ok(())
+    }
+
+    fn finish(&mut self) -> Finding {
+        let mut pairs = Pairs::default();
+        for index in self.layer.clone() {
+            let profile = self.tree.key(index).profile;
+            pairs.offer(&mut self.joint, &self.bounds, profile, index);
+        }
+        pairs.finding(self.pareto, |index| self.tree.plan(index))
+    }
+
+    /// Follows a node to the goal along the first live transitions.
+    fn follow(&mut self, index: usize) -> Result<Option<(i64, Plan)>, LimitReached> {
+        let Some(live) = &self.live else { return Ok(None) };
+        let mut plan = self.tree.plan(index);
+        let mut node = self.tree.key(index);
+        for step in plan.len()..self.horizon {
+            self.joint.expand(node, |state| live.contains(step + 1, state), &mut self.found)?;
+            let Some(&(action, next)) = self.found.first() else { return Ok(None) };
+            plan.actions.push(action);
+            node = next;
+        }
+        let counts = self.joint.counts(node.profile);
+        let fits = allowed(&mut self.joint, &self.bounds, node.profile, counts);
+        Ok(fits.then(|| (counts.difference(), plan)))
+    }
+}
+
+impl Engine for Layers {
+    fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
+        let live = match self.live.take() {
+            Some(live) => live,
+            None => {
+                let live = LiveLayers::new(&mut self.joint, self.horizon)?;
+                if !live.contains(0, self.tree.key(0).state) {
+                    self.layer = 0..0;
+                    return Ok(Advance::Finished(self.finish()));
+                }
+                live
+            }
+        };
+        let mut worked = Ok(());
+        for count in 0..budget {
+            if self.next == self.layer.end && self.step < self.horizon {
+                self.layer = self.layer.end..self.tree.len();
+                self.step += 1;
+                self.tree.forget();
+            }
+            if self.step == self.horizon {
+                break;
+            }
+            if count % 64 == 0 {
+                worked = self.check_limits();
+            }
+            worked = worked.and_then(|()| self.expand(&live, self.next));
+            if worked.is_err() {
+                break;
+            }
+            self.next += 1;
+        }
+        self.live = Some(live);
+        worked?;
+        if self.step == self.horizon {
+            return Ok(Advance::Finished(self.finish()));
+        }
+        Ok(Advance::Working)
+    }
+
+    fn stop(&mut self, limit: LimitReached) -> Finding {
+        let mut best: Option<(i64, Plan)> = None;
+        let stride = self.layer.len().div_ceil(FINISHED_ON_STOP).max(1);
+        for index in self.layer.clone().step_by(stride) {
+            let Ok(followed) = self.follow(index) else { break };
+            if let Some((difference, plan)) = followed
+                && best.as_ref().is_none_or(|(known, _)| difference > *known)
+            {
+                best = Some((difference, plan));
+            }
+        }
+        Finding::stopped(best.map(|(_, plan)| plan), limit)
+    }
+
+    fn report(&self, progress: &mut Progress) {
+        progress.bound = Some(1.0);
+    }
+
+    fn stats(&self) -> Stats {
+        let mut stats = Stats {
+            expansions: self.expansions,
+            generated: self.tree.len() as u64,
+            ..Stats::default()
+        };
+        stats.count_spaces(&self.joint);
+        stats
+    }
+}

@@ -1,0 +1,170 @@
+//! Solves an integer program with microlp, in slices of branch-and-bound nodes.
+//!
+//! A search cut into slices by a node limit takes the same nodes as one that is not, so slices
+//! change no answer. The relaxation at the root is one piece of work that cannot be cut.
+
+use std::sync::Arc;
+
+use microlp::{
+    ComparisonOp, OptimizationDirection, ResumeOptions, SolutionStatus, SolveOptions, SolveOutcome,
+};
+
+use super::model::{Comparison, Kind, Model, Variable};
+use super::{Encoded, encode};
+use crate::limits::{LimitReached, Limits};
+use crate::plan::Plan;
+use crate::problem::Problem;
+use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::outcome::{Progress, Stats, Status};
+use crate::solver::{Options, SolveError};
+
+/// Slack when a bound on a whole number is rounded down.
+const ROUNDING: f64 = 1e-6;
+
+/// A program being solved.
+#[derive(Debug)]
+pub(in crate::solver) struct IntegerProgram {
+    /// None when the encoding has already shown that there is no plan.
+    encoded: Option<Encoded>,
+    problem: Arc<Problem>,
+    limits: Limits,
+    state: State,
+    stats: Stats,
+    best: Option<(f64, Plan)>,
+    bound: Option<f64>,
+}
+
+#[derive(Debug)]
+enum State {
+    New,
+    Working(Box<SolveOutcome>),
+    Done,
+}
+
+/// The model in microlp's terms; its variables have the same numbers.
+fn to_microlp(model: &Model) -> (microlp::Problem, Vec<microlp::Variable>) {
+    let mut problem = microlp::Problem::new(OptimizationDirection::Maximize);
+    let variables: Vec<microlp::Variable> = model
+        .variables()
+        .iter()
+        .map(|data| match data.kind {
+            Kind::Binary => {
+                let bounds = (data.lower as i32, data.upper as i32);
+                problem.add_integer_var(data.objective, bounds)
+            }
+            Kind::Continuous => problem.add_var(data.objective, (data.lower, data.upper)),
+        })
+        .collect();
+    for row in model.rows() {
+        let terms: Vec<_> = row.terms.iter().map(|&(v, c)| (variables[v.index()], c)).collect();
+        let operator = match row.comparison {
+            Comparison::AtMost => ComparisonOp::Le,
+            Comparison::Equal => ComparisonOp::Eq,
+            Comparison::AtLeast => ComparisonOp::Ge,
+        };
+        problem.add_constraint(terms, operator, row.right);
+    }
+    (problem, variables)
+}
+
+impl IntegerProgram {
+    pub(in crate::solver) fn new(
+        problem: Arc<Problem>,
+        options: &Options,
+        horizon: usize,
+    ) -> Result<Self, Halt> {
+        let encoded = encode(Arc::clone(&problem), options, horizon)?;
+        let stats = encoded.as_ref().map_or_else(Stats::default, |encoded| encoded.spaces);
+        Ok(Self {
+            encoded,
+            problem,
+            limits: options.limits,
+            state: State::New,
+            stats,
+            best: None,
+            bound: None,
+        })
+    }
+
+    /// Takes note of what a slice has brought.
+    fn note(&mut self, encoded: &Encoded, outcome: &SolveOutcome) {
+        let stats = outcome.stats();
+        self.stats.nodes = stats.nodes_solved;
+        self.stats.iterations = stats.lp_iterations;
+        self.bound = stats.best_bound;
+        let Some(solution) = outcome.solution() else { return };
+        let objective = solution.objective();
+        if self.best.as_ref().is_none_or(|(known, _)| objective > known + ROUNDING) {
+            // Variables have the same numbers here and there.
+            let values: Vec<f64> = solution.iter().map(|(_, value)| value).collect();
+            let plan = encoded.plan(|Variable(index)| values[index as usize]);
+            self.best = Some((objective, plan));
+        }
+    }
+
+    fn slice(&mut self, encoded: &Encoded, budget: u64) -> Result<Advance, Halt> {
+        let left = self.limits.nodes.saturating_sub(self.stats.nodes);
+        let nodes = budget.min(left).max(1);
+        let solved = match std::mem::replace(&mut self.state, State::Done) {
+            State::New => {
+                let (problem, _) = to_microlp(&encoded.model);
+                let mut options = SolveOptions::default();
+                options.node_limit = Some(nodes);
+                problem.solve_with(options)
+            }
+            State::Working(outcome) => {
+                let mut options = ResumeOptions::default();
+                options.node_limit = Some(nodes);
+                outcome.resume_with(options)
+            }
+            State::Done => return Ok(Advance::Working),
+        };
+        let outcome = match solved {
+            Ok(outcome) => outcome,
+            Err(microlp::Error::Infeasible) => {
+                return Ok(Advance::Finished(Finding::infeasible()));
+            }
+            Err(error) => return Err(Halt::Error(SolveError::Numerical(error.to_string()))),
+        };
+        self.note(encoded, &outcome);
+        let optimal =
+            outcome.solution().is_some_and(|found| found.status() == SolutionStatus::Optimal);
+        if let (true, Some((_, plan))) = (optimal, &self.best) {
+            return Ok(Advance::Finished(Finding::plan(Status::Optimal, plan.clone())));
+        }
+        self.state = State::Working(Box::new(outcome));
+        if self.stats.nodes >= self.limits.nodes {
+            return Err(LimitReached::Nodes { limit: self.limits.nodes }.into());
+        }
+        Ok(Advance::Working)
+    }
+}
+
+impl Engine for IntegerProgram {
+    fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
+        let Some(encoded) = self.encoded.take() else {
+            return Ok(Advance::Finished(Finding::infeasible()));
+        };
+        let advance = self.slice(&encoded, budget);
+        self.encoded = Some(encoded);
+        advance
+    }
+
+    fn stop(&mut self, limit: LimitReached) -> Finding {
+        Finding::stopped(self.best.as_ref().map(|(_, plan)| plan.clone()), limit)
+    }
+
+    fn report(&self, progress: &mut Progress) {
+        let most = self.problem.goals().len() as f64 - 1.0;
+        let whole = |bound: f64| (bound + ROUNDING).floor().min(most) / most;
+        progress.bound = Some(self.bound.map_or(1.0, whole));
+        if let Some((objective, plan)) = &self.best {
+            progress.goal_difference = Some(objective.round() / most);
+            progress.plan = Some(plan.clone());
+        }
+    }
+
+    fn stats(&self) -> Stats {
+        self.stats
+    }
+}

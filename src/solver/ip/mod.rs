@@ -1,0 +1,74 @@
+//! Integer programming: the best plan of exactly T actions.
+//!
+//! - [`model`] is a linear program with integer variables, as data,
+//! - [`paper`] writes the paper's equations (3) to (17) into one, with their corrections,
+//! - [`belief_flow`] writes a far smaller one, whose relaxation is nearly integral,
+//! - [`objective`] is what both maximise,
+//! - [`lp_format`] prints a model for any other solver,
+//! - [`branch_and_bound`] solves it with microlp, in slices.
+
+pub mod belief_flow;
+mod branch_and_bound;
+pub mod lp_format;
+pub mod model;
+mod objective;
+pub mod paper;
+
+use std::sync::Arc;
+
+use crate::limits::LimitReached;
+use crate::plan::Plan;
+use crate::problem::{JointSpace, Problem};
+use crate::task::Action;
+
+use super::{Bounds, Encoding, Options};
+pub(super) use branch_and_bound::IntegerProgram;
+use model::{Model, Variable};
+
+/// A problem at a horizon as an integer program.
+#[derive(Debug)]
+pub struct Encoded {
+    /// The program. Maximising it maximises `|G_X| − |G_C|`.
+    pub model: Model,
+    /// For each step, the actions that can be taken and the variables whose sum says whether one
+    /// is.
+    choices: Vec<Vec<(Action, Vec<Variable>)>>,
+    /// States and beliefs met on the way.
+    spaces: super::Stats,
+}
+
+impl Encoded {
+    /// The plan in a solution of the program.
+    pub fn plan(&self, value: impl Fn(Variable) -> f64) -> Plan {
+        let sum = |variables: &[Variable]| variables.iter().map(|&v| value(v)).sum::<f64>();
+        let taken = |choices: &Vec<(Action, Vec<Variable>)>| {
+            choices.iter().find(|(_, variables)| sum(variables) > 0.5).map(|(action, _)| *action)
+        };
+        Plan { actions: self.choices.iter().filter_map(taken).collect() }
+    }
+}
+
+/// Writes a problem at a horizon as an integer program; none when the actor alone, without anybody
+/// watching, has no plan of that length, or none whose final beliefs could keep the bounds.
+///
+/// # Errors
+///
+/// The memory limit, or the limit on the size of a model.
+pub fn encode(
+    problem: Arc<Problem>,
+    options: &Options,
+    horizon: usize,
+) -> Result<Option<Encoded>, LimitReached> {
+    let mut joint = JointSpace::new(problem, options.limits);
+    let bounds: Bounds = options.heeded_bounds();
+    let mut encoded = match options.encoding {
+        Encoding::Paper => paper::encode(&mut joint, &bounds, horizon)?,
+        Encoding::BeliefFlow => belief_flow::encode(&mut joint, &bounds, horizon)?,
+    };
+    if let Some(encoded) = &mut encoded {
+        encoded.spaces.count_spaces(&joint);
+        encoded.spaces.variables = encoded.model.variables().len() as u64;
+        encoded.spaces.rows = encoded.model.rows().len() as u64;
+    }
+    Ok(encoded)
+}

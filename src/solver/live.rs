@@ -1,0 +1,118 @@
+//! Which states lie on a way to the true goal.
+
+use fixedbitset::FixedBitSet;
+
+use crate::limits::LimitReached;
+use crate::problem::JointSpace;
+use crate::task::StateId;
+
+/// For each step of a horizon, the states that can be there in a plan of exactly that length.
+#[derive(Debug)]
+pub(in crate::solver) struct LiveLayers {
+    layers: Vec<FixedBitSet>,
+}
+
+impl LiveLayers {
+    /// Forward from the initial state, then back from the goal: linear in the horizon times the
+    /// transitions.
+    pub(in crate::solver) fn new(
+        joint: &mut JointSpace,
+        horizon: usize,
+    ) -> Result<Self, LimitReached> {
+        let start = joint.initial().state;
+        let limits = *joint.limits();
+        let mut first = FixedBitSet::new();
+        first.grow_and_insert(start.index());
+        let mut layers = vec![first];
+        let mut bytes = 0;
+        for step in 0..horizon {
+            let mut next = FixedBitSet::with_capacity(joint.states().len());
+            for index in layers[step].ones() {
+                let state = StateId(index as u32);
+                joint.states_mut().expand(state);
+                for edge in joint.states().edges(state) {
+                    next.grow_and_insert(edge.target.index());
+                }
+            }
+            bytes += next.len() as u64 / 8;
+            limits.check_bytes(joint.bytes() + bytes)?;
+            layers.push(next);
+        }
+        let ends: Vec<usize> = layers[horizon].ones().collect();
+        for index in ends {
+            if !joint.is_goal(StateId(index as u32)) {
+                layers[horizon].remove(index);
+            }
+        }
+        for step in (0..horizon).rev() {
+            let (before, after) = layers.split_at_mut(step + 1);
+            let here = &mut before[step];
+            let states: Vec<usize> = here.ones().collect();
+            for index in states {
+                let edges = joint.states().edges(StateId(index as u32));
+                if !edges.iter().any(|edge| after[0].contains(edge.target.index())) {
+                    here.remove(index);
+                }
+            }
+        }
+        Ok(Self { layers })
+    }
+
+    /// Whether a plan of the horizon can be in this state after these steps.
+    pub(in crate::solver) fn contains(&self, step: usize, state: StateId) -> bool {
+        self.layers[step].contains(state.index())
+    }
+}
+
+/// States from which the true goal can be reached at all.
+#[derive(Debug)]
+pub(in crate::solver) struct Live {
+    /// None when the state space was too large to go through first: then all count as live.
+    states: Option<FixedBitSet>,
+}
+
+/// State spaces above this size are not gone through before the search itself.
+const MOST_STATES: usize = 200_000;
+
+impl Live {
+    /// Linear in the transitions of the state space, as long as it is not too large.
+    pub(in crate::solver) fn new(joint: &mut JointSpace) -> Result<Self, LimitReached> {
+        joint.initial();
+        let limits = *joint.limits();
+        let mut index = 0;
+        while index < joint.states().len() {
+            if joint.states().len() > MOST_STATES {
+                return Ok(Self { states: None });
+            }
+            joint.states_mut().expand(StateId(index as u32));
+            index += 1;
+            if index % 1024 == 0 {
+                limits.check_bytes(joint.bytes())?;
+            }
+        }
+        let count = joint.states().len();
+        let mut sources: Vec<Vec<u32>> = vec![Vec::new(); count];
+        for source in 0..count as u32 {
+            for edge in joint.states().edges(StateId(source)) {
+                sources[edge.target.index()].push(source);
+            }
+        }
+        let mut states = FixedBitSet::with_capacity(count);
+        let goals = (0..count as u32).filter(|&state| joint.is_goal(StateId(state)));
+        let mut stack: Vec<u32> = goals.collect();
+        states.extend(stack.iter().map(|&state| state as usize));
+        while let Some(state) = stack.pop() {
+            for &source in &sources[state as usize] {
+                if !states.put(source as usize) {
+                    stack.push(source);
+                }
+            }
+        }
+        Ok(Self { states: Some(states) })
+    }
+
+    /// Whether the true goal may be reachable from a state.
+    pub(in crate::solver) fn contains(&self, state: StateId) -> bool {
+        self.states.as_ref().is_none_or(|states| states.contains(state.index()))
+    }
+}

@@ -1,0 +1,27 @@
+//! The solvers.
+//!
+//! | solver | answers | plan |
+//! |---|---|---|
+//! | [`exact`] | the best goal difference at a horizon or over all, and every reachable pair of survivor counts | proved best |
+//! | [`ip`] | the best goal difference at a horizon, by integer programming in two encodings | proved best |
+//! | [`best_first`]: search | a plan that keeps the bounds k and j | the first found |
+//! | baseline | a plan for the true goal alone | the first found |
+//! | obfuscate, legible | search with one of the two bounds | the first found |
+//!
+//! All take one type of [`Options`] and give one type of [`Outcome`]; a [`Run`] is any of them at
+//! work, advanced in slices so that its progress can be shown and it can be stopped with the best
+//! plan kept.
+
+pub mod best_first;
+mod engine;
+pub mod exact;
+pub mod ip;
+mod live;
+mod options;
+mod outcome;
+mod run;
+mod tree;
+
+pub use options::{Bounds, Encoding, Horizon, MAX_HORIZON, Options, OptionsError, Solver, Watched};
+pub use outcome::{Outcome, ParetoPoint, Progress, Stats, Status};
+pub use run::{Run, SolveError, solve};

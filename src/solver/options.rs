@@ -1,0 +1,242 @@
+//! What is asked of a solver.
+
+use thiserror::Error;
+
+use crate::goal_difference::GoalSet;
+use crate::limits::Limits;
+use crate::problem::{Problem, SurvivorCounts};
+
+/// The longest horizon that can be asked for.
+pub const MAX_HORIZON: usize = 10_000;
+
+/// Which solver.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Solver {
+    /// Exhaustive search over the states and the observers' beliefs.
+    Exact,
+    /// Integer programming.
+    Ip,
+    /// Algorithm 1 of the paper.
+    Search,
+    /// Greedy best first for the true goal alone.
+    Baseline,
+    /// Search with k alone: the friend is not asked about.
+    Obfuscate,
+    /// Search with j alone: the enemy is not asked about.
+    Legible,
+}
+
+impl Solver {
+    /// All of them.
+    pub const ALL: [Self; 6] =
+        [Self::Exact, Self::Ip, Self::Search, Self::Baseline, Self::Obfuscate, Self::Legible];
+
+    /// The name on the command line and in output.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Ip => "ip",
+            Self::Search => "search",
+            Self::Baseline => "baseline",
+            Self::Obfuscate => "obfuscate",
+            Self::Legible => "legible",
+        }
+    }
+
+    /// The solver of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|solver| solver.name() == name)
+    }
+}
+
+/// Which integer program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Encoding {
+    /// The paper's equations (3) to (17), corrected: to teach and to check.
+    Paper,
+    /// Flows over (state, belief): to use.
+    #[default]
+    BeliefFlow,
+}
+
+impl Encoding {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Paper, Self::BeliefFlow];
+
+    /// The name on the command line and in output.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::BeliefFlow => "belief-flow",
+        }
+    }
+
+    /// The encoding of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|encoding| encoding.name() == name)
+    }
+}
+
+/// How long plans may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Horizon {
+    /// What suits the solver: for the integer program the length of a shortest plan, raised until
+    /// there is a plan that keeps the bounds; for all others any length.
+    #[default]
+    Auto,
+    /// Plans of any length.
+    Any,
+    /// Plans of exactly this many actions.
+    Steps(usize),
+}
+
+/// A goal in the final belief of an observer, by their positions in the problem.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Watched {
+    /// The observer.
+    pub observer: usize,
+    /// The goal.
+    pub goal: usize,
+}
+
+/// What a plan must achieve in the final beliefs: the goal constraints of the paper.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Bounds {
+    /// At least this many goals survive for every enemy (k).
+    pub at_least: Option<usize>,
+    /// At most this many goals survive for every friend (j).
+    pub at_most: Option<usize>,
+    /// Goals that must survive.
+    pub required: Vec<Watched>,
+    /// Goals that must not survive.
+    pub forbidden: Vec<Watched>,
+}
+
+impl Bounds {
+    /// Whether final beliefs with these survivors, one set for each observer, are allowed.
+    pub fn allow(&self, counts: SurvivorCounts, sets: &[GoalSet]) -> bool {
+        self.at_least.is_none_or(|k| counts.adversarial >= k)
+            && self.at_most.is_none_or(|j| counts.cooperative <= j)
+            && self.required.iter().all(|w| sets[w.observer].contains(w.goal))
+            && self.forbidden.iter().all(|w| !sets[w.observer].contains(w.goal))
+    }
+}
+
+/// Options that do not fit the problem.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("{option}: found {found}, expected {expected}")]
+pub struct OptionsError {
+    /// Which option.
+    pub option: &'static str,
+    /// What was given.
+    pub found: String,
+    /// What would do.
+    pub expected: String,
+}
+
+/// What is asked of a solver.
+///
+/// ```
+/// use mo_copp::solver::{Options, Solver};
+/// let mut options = Options::new(Solver::Search);
+/// options.bounds.at_least = Some(2);
+/// options.bounds.at_most = Some(2);
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Options {
+    /// The solver.
+    pub solver: Solver,
+    /// The integer program, for [`Solver::Ip`].
+    pub encoding: Encoding,
+    /// The length of plans.
+    pub horizon: Horizon,
+    /// By how much the horizon is raised while it has no plan; 0 for not at all. With
+    /// [`Horizon::Auto`] the integer program raises by at least 1.
+    pub horizon_step: usize,
+    /// How far the horizon is raised.
+    pub horizon_limit: usize,
+    /// What the plan must achieve.
+    pub bounds: Bounds,
+    /// Whether every reachable pair of survivor counts is wanted, for [`Solver::Exact`].
+    pub pareto: bool,
+    /// Where to stop.
+    pub limits: Limits,
+}
+
+impl Options {
+    /// The defaults of a solver: any length, no bounds.
+    pub fn new(solver: Solver) -> Self {
+        Self {
+            solver,
+            encoding: Encoding::default(),
+            horizon: Horizon::Auto,
+            horizon_step: 0,
+            horizon_limit: 100,
+            bounds: Bounds::default(),
+            pareto: false,
+            limits: Limits::default(),
+        }
+    }
+
+    /// Checks the options against a problem.
+    ///
+    /// # Errors
+    ///
+    /// [`OptionsError`] with the option, what was given and what would do.
+    pub fn check(&self, problem: &Problem) -> Result<(), OptionsError> {
+        let goals = problem.goals().len();
+        for (option, value) in [("k", self.bounds.at_least), ("j", self.bounds.at_most)] {
+            if value.is_some_and(|value| !(1..=goals).contains(&value)) {
+                return Err(OptionsError {
+                    option,
+                    found: value.unwrap_or_default().to_string(),
+                    expected: format!("a whole number from 1 to {goals}, the number of goals"),
+                });
+            }
+        }
+        let too_long = |steps: usize| steps > MAX_HORIZON;
+        let horizon = match self.horizon {
+            Horizon::Steps(steps) => steps,
+            Horizon::Auto | Horizon::Any => 0,
+        };
+        for (option, steps) in [
+            ("horizon", horizon),
+            ("horizon step", self.horizon_step),
+            ("horizon limit", self.horizon_limit),
+        ] {
+            if too_long(steps) {
+                let expected = format!("a whole number from 0 to {MAX_HORIZON}");
+                return Err(OptionsError { option, found: steps.to_string(), expected });
+            }
+        }
+        if self.solver == Solver::Ip && self.horizon == Horizon::Any {
+            return Err(OptionsError {
+                option: "horizon",
+                found: "any".to_owned(),
+                expected: "a number of steps for the integer program; the exact solver takes any"
+                    .to_owned(),
+            });
+        }
+        if self.pareto && self.solver != Solver::Exact {
+            return Err(OptionsError {
+                option: "pareto",
+                found: format!("the solver {}", self.solver.name()),
+                expected: "the solver exact".to_owned(),
+            });
+        }
+        Ok(())
+    }
+
+    /// The bounds that a solver heeds: obfuscation knows no j, legibility no k, the baseline
+    /// neither.
+    pub fn heeded_bounds(&self) -> Bounds {
+        let mut bounds = self.bounds.clone();
+        match self.solver {
+            Solver::Exact | Solver::Ip | Solver::Search => {}
+            Solver::Obfuscate => bounds.at_most = None,
+            Solver::Legible => bounds.at_least = None,
+            Solver::Baseline => bounds = Bounds::default(),
+        }
+        bounds
+    }
+}

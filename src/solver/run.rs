@@ -1,0 +1,310 @@
+//! A solver at work: slices, horizons, and the replay of every plan.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use thiserror::Error;
+
+use crate::limits::LimitReached;
+use crate::problem::Problem;
+use crate::task::StateSpace;
+use crate::trace::validate;
+
+use super::best_first::{baseline, search};
+use super::engine::{Advance, Engine, Finding, Halt};
+use super::exact::{closure, layers};
+use super::outcome::{Outcome, Progress, Stats, Status};
+use super::{Horizon, Options, OptionsError, Solver, ip};
+
+/// Why a run cannot give an answer.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum SolveError {
+    /// The options do not fit the problem.
+    #[error(transparent)]
+    Options(#[from] OptionsError),
+    /// The integer programming solver gave up for numerical reasons.
+    #[error("the integer programming solver failed: {0}")]
+    Numerical(String),
+    /// A plan did not pass its replay. A defect of this program: please report it.
+    #[error("internal error: a plan failed its replay: {0}")]
+    Replay(String),
+}
+
+/// How many expansions or nodes [`solve`] does between two reports.
+const SLICE: u64 = 2048;
+
+/// A solver at work.
+///
+/// ```
+/// use std::sync::Arc;
+/// use mo_copp::{domain::Delivery, solver::{Options, Run, Solver, Status}};
+/// let problem = Arc::new(Delivery::figure_1().problem()?);
+/// let mut run = Run::new(problem, Options::new(Solver::Exact))?;
+/// while !run.advance(1)? {}
+/// let outcome = run.outcome()?;
+/// assert_eq!((outcome.status, outcome.goal_difference), (Status::Optimal, Some(1.0)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Run {
+    problem: Arc<Problem>,
+    options: Options,
+    /// The horizon being worked on; none where plans of all lengths are asked for.
+    horizon: Option<usize>,
+    engine: Option<Box<dyn Engine>>,
+    finding: Option<Finding>,
+    /// Work done at earlier horizons.
+    earlier: Stats,
+    last_stats: Stats,
+}
+
+impl Run {
+    /// Checks the options and gets ready.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Options`].
+    pub fn new(problem: Arc<Problem>, options: Options) -> Result<Self, SolveError> {
+        options.check(&problem)?;
+        let mut run = Self {
+            problem,
+            options,
+            horizon: None,
+            engine: None,
+            finding: None,
+            earlier: Stats::default(),
+            last_stats: Stats::default(),
+        };
+        match run.options.horizon {
+            Horizon::Steps(steps) => run.horizon = Some(steps),
+            Horizon::Auto if run.options.solver == Solver::Ip => {
+                match shortest_plan_length(&run.problem, &run.options) {
+                    Ok(Some(steps)) => run.horizon = Some(steps),
+                    Ok(None) => run.finding = Some(Finding::infeasible()),
+                    Err(limit) => run.finding = Some(Finding::stopped(None, limit)),
+                }
+                run.options.horizon_step = run.options.horizon_step.max(1);
+            }
+            Horizon::Auto | Horizon::Any => {}
+        }
+        Ok(run)
+    }
+
+    /// The problem.
+    pub fn problem(&self) -> &Arc<Problem> {
+        &self.problem
+    }
+
+    fn start(&self) -> Result<Box<dyn Engine>, Halt> {
+        let (problem, options) = (Arc::clone(&self.problem), &self.options);
+        Ok(match (options.solver, self.horizon) {
+            (Solver::Exact, Some(steps)) => Box::new(layers::Layers::new(problem, options, steps)),
+            (Solver::Exact, None) => Box::new(closure::Closure::new(problem, options)),
+            (Solver::Ip, horizon) => {
+                Box::new(ip::IntegerProgram::new(problem, options, horizon.unwrap_or(0))?)
+            }
+            (Solver::Baseline, horizon) => Box::new(baseline::engine(&problem, options, horizon)),
+            (Solver::Search | Solver::Obfuscate | Solver::Legible, horizon) => {
+                Box::new(search::engine(problem, options, horizon))
+            }
+        })
+    }
+
+    /// Works for about `budget` expansions or nodes; true when there is an answer.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] where the work broke down; a limit is no error.
+    pub fn advance(&mut self, budget: u64) -> Result<bool, SolveError> {
+        if self.finding.is_some() {
+            return Ok(true);
+        }
+        let mut engine = match self.engine.take() {
+            Some(engine) => engine,
+            None => match self.start() {
+                Ok(engine) => engine,
+                Err(halt) => return self.halt(halt, None),
+            },
+        };
+        match engine.advance(budget) {
+            Ok(Advance::Working) => {
+                self.engine = Some(engine);
+                Ok(false)
+            }
+            Ok(Advance::Finished(finding)) => {
+                self.last_stats = engine.stats();
+                let next = self.horizon.map(|horizon| horizon + self.options.horizon_step);
+                let limit = self.options.horizon_limit;
+                let raise = finding.status == Status::Infeasible && self.options.horizon_step > 0;
+                match next {
+                    Some(next) if raise && next <= limit => {
+                        self.horizon = Some(next);
+                        self.earlier.add_work(&self.last_stats);
+                        self.last_stats = Stats::default();
+                        Ok(false)
+                    }
+                    _ => {
+                        self.finding = Some(finding);
+                        Ok(true)
+                    }
+                }
+            }
+            Err(halt) => self.halt(halt, Some(engine)),
+        }
+    }
+
+    fn halt(&mut self, halt: Halt, engine: Option<Box<dyn Engine>>) -> Result<bool, SolveError> {
+        let limit = match halt {
+            Halt::Limit(limit) => limit,
+            Halt::Error(error) => return Err(error),
+        };
+        self.finding = Some(match engine {
+            Some(mut engine) => {
+                let finding = engine.stop(limit);
+                self.last_stats = engine.stats();
+                finding
+            }
+            None => Finding::stopped(None, limit),
+        });
+        Ok(true)
+    }
+
+    /// What is known so far.
+    pub fn progress(&self) -> Progress {
+        let mut progress = Progress {
+            solver: self.options.solver,
+            done: 0,
+            horizon: self.horizon,
+            goal_difference: None,
+            bound: None,
+            plan: None,
+        };
+        if let Some(engine) = &self.engine {
+            engine.report(&mut progress);
+        } else if let Some(finding) = &self.finding {
+            progress.plan.clone_from(&finding.plan);
+            let counts = finding.plan.as_ref().and_then(|plan| validate(&self.problem, plan).ok());
+            progress.goal_difference =
+                counts.map(|achieved| self.problem.goal_difference(achieved.counts));
+        }
+        let stats = self.stats();
+        progress.done = stats.expansions + stats.nodes;
+        progress
+    }
+
+    fn stats(&self) -> Stats {
+        let mut stats = self.engine.as_ref().map_or(self.last_stats, |engine| engine.stats());
+        stats.add_work(&self.earlier);
+        stats
+    }
+
+    /// The answer; that of a run stopped before its end keeps the best plan found. Every plan is
+    /// replayed before it is given out.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Replay`] when a plan does not do what its solver says.
+    pub fn outcome(&mut self) -> Result<Outcome, SolveError> {
+        let stats = self.stats();
+        let finding = match (self.finding.take(), &mut self.engine) {
+            (Some(finding), _) => finding,
+            (None, Some(engine)) => engine.stop(LimitReached::Cancelled),
+            (None, None) => Finding::stopped(None, LimitReached::Cancelled),
+        };
+        let bounds = self.options.heeded_bounds();
+        let mut outcome = Outcome {
+            status: finding.status,
+            solver: self.options.solver,
+            encoding: (self.options.solver == Solver::Ip).then_some(self.options.encoding),
+            horizon: self.horizon,
+            plan: None,
+            survivors: None,
+            goal_difference: None,
+            pareto: None,
+            limit: finding.limit,
+            stats,
+        };
+        if let Some(plan) = &finding.plan {
+            let achieved = validate(&self.problem, plan)
+                .map_err(|error| SolveError::Replay(error.to_string()))?;
+            if !bounds.allow(achieved.counts, &achieved.survivors) {
+                return Err(SolveError::Replay("it breaks the bounds".to_owned()));
+            }
+            if self.horizon.is_some_and(|horizon| horizon != plan.len()) {
+                return Err(SolveError::Replay("it has another length than asked for".to_owned()));
+            }
+            outcome.horizon = Some(plan.len());
+            outcome.goal_difference = Some(self.problem.goal_difference(achieved.counts));
+            outcome.survivors = Some(achieved.survivors);
+            outcome.plan = Some(plan.clone());
+        }
+        if let Some(points) = &finding.pareto {
+            for point in points {
+                let achieved = validate(&self.problem, &point.plan)
+                    .map_err(|error| SolveError::Replay(error.to_string()))?;
+                if achieved.counts != point.counts {
+                    return Err(SolveError::Replay("a pair of counts is wrong".to_owned()));
+                }
+            }
+            outcome.pareto = Some(points.clone());
+        }
+        self.finding = Some(finding);
+        Ok(outcome)
+    }
+}
+
+/// Solves a problem. `progress` is told now and then how far the work is, and may break it off;
+/// the best plan is kept then.
+///
+/// # Errors
+///
+/// [`SolveError`]; limits and infeasible problems are outcomes, not errors.
+///
+/// ```
+/// use std::{ops::ControlFlow, sync::Arc};
+/// use mo_copp::{domain::Delivery, solver::{solve, Options, Solver}};
+/// let problem = Arc::new(Delivery::figure_1().problem()?);
+/// let outcome = solve(problem, Options::new(Solver::Ip), |_| ControlFlow::Continue(()))?;
+/// assert_eq!(outcome.goal_difference, Some(1.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn solve(
+    problem: Arc<Problem>,
+    options: Options,
+    mut progress: impl FnMut(&Run) -> ControlFlow<()>,
+) -> Result<Outcome, SolveError> {
+    let mut run = Run::new(problem, options)?;
+    while !run.advance(SLICE)? {
+        if progress(&run).is_break() {
+            break;
+        }
+    }
+    run.outcome()
+}
+
+/// The length of a shortest plan for the true goal, whatever anybody believes.
+fn shortest_plan_length(
+    problem: &Problem,
+    options: &Options,
+) -> Result<Option<usize>, LimitReached> {
+    let task = problem.task();
+    let mut space = StateSpace::new(Arc::clone(task));
+    let mut layer = vec![space.intern(task.initial_state())];
+    let mut length = 0;
+    while !layer.is_empty() {
+        let mut next = Vec::new();
+        for &state in &layer {
+            if task.satisfies(space.words(state), task.goal()) {
+                return Ok(Some(length));
+            }
+            let known = space.len();
+            space.expand(state);
+            let new = space.edges(state).iter().map(|edge| edge.target);
+            next.extend(new.filter(|target| target.index() >= known));
+            options.limits.check_bytes(space.bytes())?;
+        }
+        layer = next;
+        length += 1;
+    }
+    Ok(None)
+}

@@ -1,0 +1,234 @@
+//! Makes a task, and checks once what the rest of the program relies on.
+
+use rustc_hash::FxHashMap;
+use thiserror::Error;
+
+use super::Task;
+use super::fact::{Fact, Layout};
+use super::operator::{Action, Operator};
+use super::successors::SuccessorGenerator;
+
+/// Why a task cannot be made.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum TaskError {
+    /// Two operators of one action may both be applicable in one state.
+    #[error(
+        "action {action}: its operators do not exclude each other, so one state could have two successors"
+    )]
+    AmbiguousAction {
+        /// The name of the action.
+        action: String,
+    },
+    /// Facts declared exclusive can hold together.
+    #[error(
+        "facts {first} and {second} were declared to exclude each other, but {place} can make both hold"
+    )]
+    NotExclusive {
+        /// One of the facts.
+        first: String,
+        /// The other one.
+        second: String,
+        /// The operator's action, or the initial state.
+        place: String,
+    },
+}
+
+/// Collects facts and operators, then checks them.
+///
+/// ```
+/// use mo_copp::task::TaskBuilder;
+/// let mut task = TaskBuilder::default();
+/// let home = task.fact("at home");
+/// let work = task.fact("at work");
+/// task.exclusive(vec![home, work]);
+/// task.operator("go", &[home], &[work], &[home]);
+/// let task = task.build(&[home], &[work])?;
+/// assert_eq!(task.action_count(), 1);
+/// assert!(!task.satisfies(task.initial_state().words(), task.goal()));
+/// # Ok::<(), mo_copp::task::TaskError>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct TaskBuilder {
+    fact_names: Vec<String>,
+    action_names: Vec<String>,
+    actions: FxHashMap<String, Action>,
+    operators: Vec<Operator>,
+    groups: Vec<Vec<Fact>>,
+}
+
+impl TaskBuilder {
+    /// Adds a fact.
+    pub fn fact(&mut self, name: impl Into<String>) -> Fact {
+        self.fact_names.push(name.into());
+        Fact::new(self.fact_names.len() - 1)
+    }
+
+    /// The action of this name, added when it is new.
+    pub fn action(&mut self, name: &str) -> Action {
+        if let Some(&action) = self.actions.get(name) {
+            return action;
+        }
+        let action = Action::new(self.action_names.len());
+        self.action_names.push(name.to_owned());
+        self.actions.insert(name.to_owned(), action);
+        action
+    }
+
+    /// Adds an operator of the action of this name.
+    pub fn operator(
+        &mut self,
+        action: &str,
+        preconditions: &[Fact],
+        add: &[Fact],
+        delete: &[Fact],
+    ) {
+        let action = self.action(action);
+        let sorted = |facts: &[Fact]| {
+            let mut facts = facts.to_vec();
+            facts.sort_unstable();
+            facts.dedup();
+            facts.into_boxed_slice()
+        };
+        self.operators.push(Operator {
+            action,
+            preconditions: sorted(preconditions),
+            add: sorted(add),
+            delete: sorted(delete),
+        });
+    }
+
+    /// Declares that at most one of these facts holds in any state; [`build`](Self::build) proves
+    /// it. A fact is in one such group at most.
+    pub fn exclusive(&mut self, group: Vec<Fact>) {
+        self.groups.push(group);
+    }
+
+    /// Checks everything and makes the task.
+    ///
+    /// # Errors
+    ///
+    /// [`TaskError`] where an action could have two successors in a state, or facts that were
+    /// declared exclusive are not.
+    pub fn build(self, initial: &[Fact], goal: &[Fact]) -> Result<Task, TaskError> {
+        let layout = Layout::new(self.fact_names.len(), &self.groups);
+        let initial_state = layout
+            .pack(initial)
+            .map_err(|(first, second)| self.not_exclusive(first, second, "the initial state"))?;
+        for operator in &self.operators {
+            self.check_groups(&layout, operator)?;
+        }
+        self.check_actions(&layout)?;
+        let successors = SuccessorGenerator::new(&layout, &self.operators);
+        Ok(Task {
+            fact_names: self.fact_names,
+            layout,
+            action_names: self.action_names,
+            operators: self.operators,
+            initial_state,
+            goal: goal.to_vec(),
+            successors,
+        })
+    }
+
+    fn not_exclusive(&self, first: Fact, second: Fact, place: &str) -> TaskError {
+        TaskError::NotExclusive {
+            first: self.fact_names[first.index()].clone(),
+            second: self.fact_names[second.index()].clone(),
+            place: place.to_owned(),
+        }
+    }
+
+    /// An operator that adds a fact of a group must take the fact that held before away: it
+    /// requires one of the group, and either adds that same one or deletes it.
+    fn check_groups(&self, layout: &Layout, operator: &Operator) -> Result<(), TaskError> {
+        for (position, &fact) in operator.add.iter().enumerate() {
+            let group = layout.group(fact);
+            let of_group = |other: &&Fact| layout.group(**other) == group;
+            let name = &self.action_names[operator.action.index()];
+            if let Some(&second) = operator.add[position + 1..].iter().find(of_group) {
+                return Err(self.not_exclusive(fact, second, name));
+            }
+            let single = self.groups.len() <= group;
+            let held = operator.preconditions.iter().find(of_group);
+            let replaced = held.is_some_and(|held| *held == fact || operator.delete.contains(held));
+            if !single && !replaced {
+                let members = &self.groups[group];
+                let other = members.iter().find(|other| **other != fact).unwrap_or(&fact);
+                if members.len() > 1 {
+                    return Err(self.not_exclusive(fact, *other, name));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The operators of an action must differ in what they require of the groups that all of them
+    /// ask for.
+    fn check_actions(&self, layout: &Layout) -> Result<(), TaskError> {
+        let mut by_action: Vec<Vec<&Operator>> = vec![Vec::new(); self.action_names.len()];
+        for operator in &self.operators {
+            by_action[operator.action.index()].push(operator);
+        }
+        for (index, operators) in by_action.iter().enumerate() {
+            let Some((first, rest)) = operators.split_first() else { continue };
+            if rest.is_empty() {
+                continue;
+            }
+            let value = |operator: &Operator, group| {
+                let asked =
+                    operator.preconditions.iter().find(|fact| layout.group(**fact) == group);
+                asked.map(|fact| layout.value(*fact))
+            };
+            let mut groups: Vec<usize> =
+                first.preconditions.iter().map(|fact| layout.group(*fact)).collect();
+            groups.retain(|&group| rest.iter().all(|operator| value(operator, group).is_some()));
+            let requirement = |operator: &&Operator| -> Vec<Option<usize>> {
+                groups.iter().map(|&group| value(operator, group)).collect()
+            };
+            let mut requirements: Vec<_> = operators.iter().map(requirement).collect();
+            requirements.sort_unstable();
+            if requirements.windows(2).any(|pair| pair[0] == pair[1]) {
+                let action = self.action_names[index].clone();
+                return Err(TaskError::AmbiguousAction { action });
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_operators_of_an_action_must_exclude_each_other() {
+        let mut task = TaskBuilder::default();
+        let (a, b) = (task.fact("a"), task.fact("b"));
+        task.operator("go", &[a], &[b], &[]);
+        task.operator("go", &[b], &[a], &[]);
+        let error = task.clone().build(&[a], &[b]).map(|_| ()).unwrap_err();
+        assert_eq!(error, TaskError::AmbiguousAction { action: "go".into() });
+        let mut task = TaskBuilder::default();
+        let (a, b) = (task.fact("a"), task.fact("b"));
+        task.exclusive(vec![a, b]);
+        task.operator("go", &[a], &[b], &[a]);
+        task.operator("go", &[b], &[a], &[b]);
+        assert!(task.build(&[a], &[b]).is_ok());
+    }
+
+    #[test]
+    fn exclusive_facts_are_proved_exclusive() {
+        let mut task = TaskBuilder::default();
+        let (a, b) = (task.fact("a"), task.fact("b"));
+        task.exclusive(vec![a, b]);
+        task.operator("copy", &[a], &[b], &[]);
+        let error = task.clone().build(&[a], &[b]).map(|_| ()).unwrap_err();
+        assert!(
+            matches!(error, TaskError::NotExclusive { ref place, .. } if place == "copy"),
+            "{error}"
+        );
+        let both = TaskBuilder { operators: Vec::new(), ..task };
+        let error = both.build(&[a, b], &[b]).map(|_| ()).unwrap_err();
+        assert!(error.to_string().contains("the initial state"), "{error}");
+    }
+}

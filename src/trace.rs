@@ -1,0 +1,220 @@
+//! Replays a plan and everything the observers make of it.
+//!
+//! This is the one independent witness for every solver: it works on plain sets of states with the
+//! definitions of Section 2 of the paper and shares nothing with the solvers' interned spaces but
+//! the task and the sensors themselves.
+
+use thiserror::Error;
+
+use crate::goal_difference::GoalSet;
+use crate::plan::{Plan, PlanError, execute};
+use crate::problem::{Problem, SurvivorCounts};
+use crate::task::{Action, OperatorId, State, Task};
+
+/// What holds after some steps of a plan.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TraceStep {
+    /// The action that led here; none at the start.
+    pub action: Option<Action>,
+    /// Where the actor is.
+    pub state: State,
+    /// The symbol each observer saw; none at the start.
+    pub symbols: Vec<Option<String>>,
+    /// What each observer believes, in order of the packed states.
+    pub beliefs: Vec<Vec<State>>,
+    /// The goals that survive for each observer.
+    pub survivors: Vec<GoalSet>,
+}
+
+/// A replay: step 0 is the start.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Trace {
+    /// The start and every step.
+    pub steps: Vec<TraceStep>,
+    /// Whether the true goal holds at the end.
+    pub reaches_goal: bool,
+}
+
+/// Finds the operators that may be applicable in a state by one fact each requires.
+#[derive(Debug)]
+struct OperatorsByFact {
+    by_fact: Vec<Vec<OperatorId>>,
+    always: Vec<OperatorId>,
+}
+
+impl OperatorsByFact {
+    fn new(task: &Task) -> Self {
+        let mut by_fact = vec![Vec::new(); task.fact_count()];
+        let mut always = Vec::new();
+        for (id, operator) in task.operator_ids() {
+            match operator.preconditions.first() {
+                Some(fact) => by_fact[fact.index()].push(id),
+                None => always.push(id),
+            }
+        }
+        Self { by_fact, always }
+    }
+
+    /// Calls `visit` with each applicable operator and the state it results in.
+    fn successors(&self, task: &Task, state: &State, mut visit: impl FnMut(OperatorId, State)) {
+        let facts = task.facts_of(state.words());
+        let near = facts.iter().flat_map(|fact| &self.by_fact[fact.index()]);
+        for &id in near.chain(&self.always) {
+            if task.satisfies(state.words(), &task.operator(id).preconditions) {
+                let mut words = state.words().to_vec();
+                task.apply(id, &mut words);
+                visit(id, State::from_words(words));
+            }
+        }
+    }
+}
+
+/// Walks a plan step by step, holding the present beliefs only.
+#[derive(Debug)]
+struct Replay<'a> {
+    problem: &'a Problem,
+    operators: OperatorsByFact,
+    path: Vec<OperatorId>,
+    states: Vec<State>,
+    at: usize,
+    beliefs: Vec<Vec<State>>,
+}
+
+impl<'a> Replay<'a> {
+    fn new(problem: &'a Problem, plan: &Plan) -> Result<Self, PlanError> {
+        let task = problem.task();
+        let (path, states) = execute(task, plan)?;
+        let sorted = |mut belief: Vec<State>| {
+            belief.sort_unstable();
+            belief.dedup();
+            belief
+        };
+        let beliefs =
+            problem.observers().iter().map(|o| sorted(o.initial_belief.clone())).collect();
+        Ok(Self { problem, operators: OperatorsByFact::new(task), path, states, at: 0, beliefs })
+    }
+
+    fn survivors(&self) -> Vec<GoalSet> {
+        let goals = self.problem.goals();
+        let of = |belief: &Vec<State>| {
+            let mut set = GoalSet::none(goals.len());
+            for (index, goal) in goals.iter().enumerate() {
+                let task = self.problem.task();
+                if belief.iter().any(|state| task.satisfies(state.words(), &goal.condition)) {
+                    set.insert(index);
+                }
+            }
+            set
+        };
+        self.beliefs.iter().map(of).collect()
+    }
+
+    fn reaches_goal(&self) -> bool {
+        let task = self.problem.task();
+        self.states.last().is_some_and(|state| task.satisfies(state.words(), task.goal()))
+    }
+
+    /// Takes the next step and returns the symbols seen; none at the end.
+    fn step(&mut self) -> Option<Vec<Option<String>>> {
+        let &operator = self.path.get(self.at)?;
+        self.at += 1;
+        let task = self.problem.task();
+        let mut symbols = Vec::new();
+        for (observer, belief) in self.problem.observers().iter().zip(&mut self.beliefs) {
+            let sensor = &observer.sensor;
+            let seen = sensor.read(task, operator, self.states[self.at].words());
+            let mut next = Vec::new();
+            for state in belief.iter() {
+                self.operators.successors(task, state, |id, target| {
+                    if sensor.read(task, id, target.words()) == seen {
+                        next.push(target);
+                    }
+                });
+            }
+            next.sort_unstable();
+            next.dedup();
+            *belief = next;
+            symbols.push(Some(sensor.name(seen).to_owned()));
+        }
+        Some(symbols)
+    }
+}
+
+/// Replays a plan and keeps every step.
+///
+/// Linear in the sum of all transitions out of all beliefs on the way.
+///
+/// # Errors
+///
+/// [`PlanError`] when a step cannot be carried out. A plan that ends elsewhere than in the true
+/// goal is no error: see [`Trace::reaches_goal`].
+///
+/// ```
+/// use mo_copp::{domain::Delivery, plan::Plan, trace::trace};
+/// let problem = Delivery::figure_1().problem()?;
+/// let plan = Plan::from_names(problem.task(), &["load a1", "load a2", "deliver"])?;
+/// let trace = trace(&problem, &plan)?;
+/// assert!(trace.reaches_goal);
+/// assert_eq!(trace.goal_difference(&problem), 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn trace(problem: &Problem, plan: &Plan) -> Result<Trace, PlanError> {
+    let mut replay = Replay::new(problem, plan)?;
+    let mut steps = Vec::with_capacity(plan.len() + 1);
+    let mut seen = Some(vec![None; problem.observers().len()]);
+    while let Some(symbols) = seen {
+        steps.push(TraceStep {
+            action: replay.at.checked_sub(1).map(|index| plan.actions[index]),
+            state: replay.states[replay.at].clone(),
+            symbols,
+            beliefs: replay.beliefs.clone(),
+            survivors: replay.survivors(),
+        });
+        seen = replay.step();
+    }
+    Ok(Trace { steps, reaches_goal: replay.reaches_goal() })
+}
+
+impl Trace {
+    /// The goal difference at the end.
+    pub fn goal_difference(&self, problem: &Problem) -> f64 {
+        let sets = self.steps.last().map(|step| step.survivors.as_slice()).unwrap_or_default();
+        problem.goal_difference(problem.survivor_counts(sets))
+    }
+}
+
+/// What a plan achieves.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Achievement {
+    /// The goals that survive for each observer at the end.
+    pub survivors: Vec<GoalSet>,
+    /// How many survive for each side.
+    pub counts: SurvivorCounts,
+}
+
+/// Why a plan is no solution.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum InvalidPlan {
+    /// A step cannot be carried out.
+    #[error(transparent)]
+    Step(#[from] PlanError),
+    /// The true goal does not hold at the end.
+    #[error("the plan ends in a state without the true goal")]
+    MissesGoal,
+}
+
+/// Replays a plan, keeping nothing but what it achieves.
+///
+/// # Errors
+///
+/// [`InvalidPlan`] when the plan does not solve the task.
+pub fn validate(problem: &Problem, plan: &Plan) -> Result<Achievement, InvalidPlan> {
+    let mut replay = Replay::new(problem, plan)?;
+    if !replay.reaches_goal() {
+        return Err(InvalidPlan::MissesGoal);
+    }
+    while replay.step().is_some() {}
+    let survivors = replay.survivors();
+    let counts = problem.survivor_counts(&survivors);
+    Ok(Achievement { survivors, counts })
+}

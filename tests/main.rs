@@ -1,0 +1,3 @@
+//! Tests that run natively.
+#![cfg(not(target_arch = "wasm32"))]
+#![allow(missing_docs)]
