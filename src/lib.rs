@@ -9,6 +9,8 @@
 //! Head-Faking Enemies Simultaneously: Balancing Goal Obfuscation and Goal Legibility" (2020).
 
 pub mod belief;
+#[cfg(target_arch = "wasm32")]
+pub mod bindings;
 pub mod document;
 pub mod domain;
 pub mod goal_difference;

@@ -6,7 +6,6 @@ use crate::task::{Fact, Task};
 
 /// A state as people and other programs read it.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(untagged)]
 pub enum StateLabel {
     /// Column and row of a grid.

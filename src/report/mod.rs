@@ -1,6 +1,12 @@
 //! What other programs read: the JSON of the command line and the objects of the JavaScript API.
 
+mod request;
+mod scene;
+
 use serde::Serialize;
+
+pub use request::{HorizonRequest, SolveRequest, WatchedRequest};
+pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 
 use crate::goal_difference::GoalSet;
 use crate::problem::{Problem, StateLabel};

@@ -1,0 +1,126 @@
+//! The JavaScript API: thin wrappers, typed for TypeScript, no logic.
+//!
+//! Meant for a worker: a [`Run`] is advanced in slices, so that the worker can take messages in
+//! between.
+
+// The code that #[wasm_bindgen] generates is full of it.
+#![allow(unsafe_code)]
+// Values cross the boundary owned; what a call throws stands in its description.
+#![allow(clippy::needless_pass_by_value, clippy::missing_errors_doc)]
+
+mod error;
+mod types;
+
+use std::sync::Arc;
+
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use crate::domain::Document;
+use crate::plan::Plan;
+use crate::problem;
+use crate::report::{ProgressReport, Scene, SolveReport, SolveRequest, TraceReport};
+use crate::solver;
+use crate::trace::trace;
+use error::thrown;
+use types::{OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs};
+
+/// Shows panics on the console with their message.
+#[wasm_bindgen(start)]
+pub fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// Plain objects, `null` for nothing.
+fn to_js<T: Serialize, R: JsCast>(value: &T) -> Result<R, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    let value = value.serialize(&serializer).map_err(|e| thrown("Error", &e.to_string()))?;
+    Ok(value.unchecked_into())
+}
+
+/// Milliseconds on the platform's clock.
+fn now() -> f64 {
+    let performance = js_sys::Reflect::get(&js_sys::global(), &"performance".into());
+    performance.map_or(0.0, |found| found.unchecked_into::<web_sys::Performance>().now())
+}
+
+/// A problem made of a document.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Problem {
+    document: Document,
+    problem: Arc<problem::Problem>,
+}
+
+#[wasm_bindgen]
+impl Problem {
+    /// Reads a document of any format. Throws a `DocumentError` that names the place.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &str) -> Result<Problem, JsValue> {
+        let document = Document::parse(document).map_err(|e| error::document(&e))?;
+        let problem = document.problem().map_err(|e| error::document(&e))?;
+        Ok(Self { document, problem: Arc::new(problem) })
+    }
+
+    /// What there is to draw.
+    pub fn scene(&self) -> Result<SceneJs, JsValue> {
+        to_js(&Scene::new(&self.document, &self.problem))
+    }
+
+    /// The document, as JSON text.
+    #[wasm_bindgen(js_name = toJson)]
+    pub fn to_json(&self) -> String {
+        self.document.to_json()
+    }
+
+    /// Replays a plan. Throws a `PlanError` that names the step.
+    pub fn trace(&self, plan: Vec<String>) -> Result<TraceJs, JsValue> {
+        let failed = |e: crate::plan::PlanError| thrown("PlanError", &e.to_string());
+        let plan = Plan::from_names(self.problem.task(), &plan).map_err(failed)?;
+        let trace = trace(&self.problem, &plan).map_err(failed)?;
+        to_js(&TraceReport::new(&self.problem, &trace))
+    }
+
+    /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.
+    pub fn solve(&self, options: SolveOptionsJs) -> Result<Run, JsValue> {
+        let request: SolveRequest = serde_wasm_bindgen::from_value(options.into())
+            .map_err(|e| thrown("OptionsError", &e.to_string()))?;
+        let options =
+            request.options(&self.problem).map_err(|e| thrown("OptionsError", &e.to_string()))?;
+        let run = solver::Run::new(Arc::clone(&self.problem), options)
+            .map_err(|e| thrown("OptionsError", &e.to_string()))?;
+        Ok(Run { run, milliseconds: 0.0 })
+    }
+}
+
+/// A solver at work.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Run {
+    run: solver::Run,
+    milliseconds: f64,
+}
+
+#[wasm_bindgen]
+impl Run {
+    /// Works for about this many expansions or nodes; true when there is an answer.
+    pub fn advance(&mut self, budget: u32) -> Result<bool, JsValue> {
+        let begin = now();
+        let done = self.run.advance(budget.into());
+        self.milliseconds += now() - begin;
+        done.map_err(|e| thrown("SolveError", &e.to_string()))
+    }
+
+    /// What is known so far.
+    pub fn progress(&self) -> Result<ProgressJs, JsValue> {
+        to_js(&ProgressReport::new(self.run.problem(), &self.run.progress()))
+    }
+
+    /// The answer; of a run that is stopped here, with the best plan found.
+    pub fn outcome(&mut self) -> Result<OutcomeJs, JsValue> {
+        let outcome = self.run.outcome().map_err(|e| thrown("SolveError", &e.to_string()))?;
+        let mut report = SolveReport::new(self.run.problem(), &outcome);
+        report.stats.seconds = Some(self.milliseconds / 1000.0);
+        to_js(&report)
+    }
+}

@@ -1,0 +1,101 @@
+//! What a page needs to draw a document.
+
+use serde::Serialize;
+
+use crate::domain::Document;
+use crate::domain::delivery::Factory;
+use crate::domain::gridworld::Cell;
+use crate::problem::Problem;
+
+/// A document as something to look at. Names are texts, never markup.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Scene {
+    /// The candidate goals.
+    pub goals: Vec<SceneGoal>,
+    /// The name of the true one.
+    pub true_goal: String,
+    /// The observers.
+    pub observers: Vec<SceneObserver>,
+    /// What the format adds.
+    #[serde(flatten)]
+    pub setting: Setting,
+}
+
+/// A candidate goal.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneGoal {
+    /// Its name.
+    pub name: String,
+    /// Its cell, in a grid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell: Option<Cell>,
+}
+
+/// An observer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneObserver {
+    /// Its name.
+    pub name: String,
+    /// `adversarial` or `cooperative`.
+    pub role: &'static str,
+}
+
+/// What is drawn around the goals.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "format", rename_all = "kebab-case")]
+pub enum Setting {
+    /// A grid.
+    Gridworld {
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// Cells that nobody can enter.
+        walls: Vec<Cell>,
+        /// Where the agent starts.
+        start: Cell,
+    },
+    /// Factories and packages.
+    Delivery {
+        /// The factories.
+        factories: Vec<Factory>,
+        /// How many packages are to be delivered.
+        deliver: u32,
+    },
+    /// States without places.
+    Explicit,
+}
+
+impl Scene {
+    /// The scene of a document and the problem made of it.
+    pub fn new(document: &Document, problem: &Problem) -> Self {
+        let cells: Vec<Option<Cell>> = match document {
+            Document::Gridworld(grid) => grid.goals.iter().map(|goal| Some(goal.cell)).collect(),
+            _ => vec![None; problem.goals().len()],
+        };
+        let goals = problem.goals().iter().zip(cells);
+        let setting = match document {
+            Document::Gridworld(grid) => Setting::Gridworld {
+                width: grid.width,
+                height: grid.height,
+                walls: grid.walls.clone(),
+                start: grid.start,
+            },
+            Document::Delivery(delivery) => Setting::Delivery {
+                factories: delivery.factories.clone(),
+                deliver: delivery.deliver,
+            },
+            Document::Explicit(_) => Setting::Explicit,
+        };
+        Self {
+            goals: goals.map(|(goal, cell)| SceneGoal { name: goal.name.clone(), cell }).collect(),
+            true_goal: problem.goals()[problem.true_goal()].name.clone(),
+            observers: problem
+                .observers()
+                .iter()
+                .map(|o| SceneObserver { name: o.name.clone(), role: o.role.name() })
+                .collect(),
+            setting,
+        }
+    }
+}
