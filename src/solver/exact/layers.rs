@@ -37,7 +37,9 @@ pub(in crate::solver) struct Layers {
 impl Layers {
     pub(in crate::solver) fn new(problem: Arc<Problem>, options: &Options, horizon: usize) -> Self {
         let mut joint = JointSpace::new(problem, options.limits);
-        let tree = SearchTree::new(joint.initial());
+        let mut tree = SearchTree::new(joint.initial());
+        // The next layer may hold the first node again, as every layer may those before it.
+        tree.forget();
         Self {
             joint,
             tree,
