@@ -88,6 +88,9 @@ impl Approximations {
                 Subsets::new(members, node.state, self.size)
             })
             .collect();
+        // Nodes differ in their whole beliefs, even where an earlier round has closed the same
+        // states as a part of larger ones.
+        let whole = subsets.iter().all(|subset| subset.members.len() <= self.size);
         let mut key = Vec::new();
         loop {
             key.clear();
@@ -97,7 +100,7 @@ impl Approximations {
                 key.push(subset.chosen.len() as u32);
                 key.extend(subset.chosen());
             }
-            if !self.closed.contains(key.as_slice()) {
+            if whole || !self.closed.contains(key.as_slice()) {
                 self.bytes += 4 * key.len() as u64 + 24;
                 self.closed.insert(key.into_boxed_slice());
                 return true;
