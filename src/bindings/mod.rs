@@ -19,7 +19,7 @@ use wasm_bindgen::prelude::*;
 use crate::domain::Document;
 use crate::plan::Plan;
 use crate::problem;
-use crate::report::{ProgressReport, Scene, SolveReport, SolveRequest, TraceReport};
+use crate::report::{ProgressReport, Scene, SolveReport, TraceReport, read_options};
 use crate::solver;
 use crate::trace::trace;
 use error::thrown;
@@ -67,12 +67,6 @@ impl Problem {
         to_js(&Scene::new(&self.document, &self.problem))
     }
 
-    /// The document, as JSON text.
-    #[wasm_bindgen(js_name = toJson)]
-    pub fn to_json(&self) -> String {
-        self.document.to_json()
-    }
-
     /// Replays a plan. Throws a `PlanError` that names the step.
     pub fn trace(&self, plan: Vec<String>) -> Result<TraceJs, JsValue> {
         let failed = |e: crate::plan::PlanError| thrown("PlanError", &e.to_string());
@@ -83,10 +77,9 @@ impl Problem {
 
     /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.
     pub fn solve(&self, options: SolveOptionsJs) -> Result<Run, JsValue> {
-        let request: SolveRequest = serde_wasm_bindgen::from_value(options.into())
+        let text = js_sys::JSON::stringify(&options).map(String::from)?;
+        let options = read_options(&text, &self.problem)
             .map_err(|e| thrown("OptionsError", &e.to_string()))?;
-        let options =
-            request.options(&self.problem).map_err(|e| thrown("OptionsError", &e.to_string()))?;
         let run = solver::Run::new(Arc::clone(&self.problem), options)
             .map_err(|e| thrown("OptionsError", &e.to_string()))?;
         Ok(Run { run, milliseconds: 0.0 })

@@ -5,7 +5,7 @@ mod scene;
 
 use serde::Serialize;
 
-pub use request::{HorizonRequest, SolveRequest, WatchedRequest};
+pub use request::read_options;
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 
 use crate::goal_difference::GoalSet;

@@ -1,139 +1,114 @@
 //! What other programs ask of a solver.
 
-use serde::Deserialize;
-
+use crate::document::DocumentError;
+use crate::document::json::Json;
+use crate::document::reader::{Fields, Reader};
 use crate::problem::Problem;
-use crate::solver::{Encoding, Horizon, Options, OptionsError, Solver, Watched};
+use crate::solver::{Encoding, Horizon, MAX_HORIZON, Options, OptionsError, Solver, Watched};
 
-/// Options by name, as the JavaScript API and other programs write them.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SolveRequest {
-    /// The solver's name.
-    pub solver: String,
-    /// The integer program's name.
-    #[serde(default)]
-    pub encoding: Option<String>,
-    /// A number of steps, or `any`.
-    #[serde(default)]
-    pub horizon: Option<HorizonRequest>,
-    /// By how much the horizon is raised while it has no plan.
-    #[serde(default)]
-    pub horizon_step: Option<f64>,
-    /// How far it is raised.
-    #[serde(default)]
-    pub horizon_limit: Option<f64>,
-    /// At least this many goals survive for the enemy.
-    #[serde(default)]
-    pub k: Option<f64>,
-    /// At most this many goals survive for the friend.
-    #[serde(default)]
-    pub j: Option<f64>,
-    /// Goals that must survive.
-    #[serde(default)]
-    pub require: Vec<WatchedRequest>,
-    /// Goals that must not survive.
-    #[serde(default)]
-    pub forbid: Vec<WatchedRequest>,
-    /// Whether every reachable pair of survivor counts is wanted.
-    #[serde(default)]
-    pub pareto: bool,
-}
+const KEYS: [&str; 10] = [
+    "solver",
+    "encoding",
+    "horizon",
+    "horizon_step",
+    "horizon_limit",
+    "k",
+    "j",
+    "require",
+    "forbid",
+    "pareto",
+];
 
-/// A horizon by number or name.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(untagged)]
-pub enum HorizonRequest {
-    /// A number of steps.
-    Steps(f64),
-    /// `any`.
-    Name(String),
-}
-
-/// A goal in the final belief of an observer, by names.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct WatchedRequest {
-    /// The observer's name.
-    pub observer: String,
-    /// The goal's name.
-    pub goal: String,
-}
-
-fn whole(option: &'static str, value: f64) -> Result<usize, OptionsError> {
-    if value >= 0.0 && value.fract() == 0.0 && value <= f64::from(u32::MAX) {
-        return Ok(value as usize);
+/// The options written as a JSON object, as the JavaScript API takes them.
+///
+/// # Errors
+///
+/// [`DocumentError`] with the option, what was given and what would do.
+///
+/// ```
+/// use mo_copp::{domain::Delivery, report::read_options};
+/// let problem = Delivery::figure_1().problem()?;
+/// let options = read_options(r#"{"solver": "search", "k": 2, "j": 2}"#, &problem)?;
+/// assert_eq!(options.bounds.at_least, Some(2));
+/// let error = read_options(r#"{"solver": "search", "k": 7}"#, &problem).unwrap_err();
+/// assert!(error.to_string().starts_with("k: found 7, expected a whole number from 1 to 6"));
+/// # Ok::<(), mo_copp::document::DocumentError>(())
+/// ```
+pub fn read_options(text: &str, problem: &Problem) -> Result<Options, DocumentError> {
+    let json = Json::parse(text)?;
+    let fields = Reader::new(&json).fields(&KEYS)?;
+    let solver = fields.required("solver", &Solver::ALL.map(Solver::name).join(", "))?;
+    let mut options = Options::new(one_of(&solver, &Solver::ALL, Solver::name)?);
+    if let Some(encoding) = fields.optional("encoding") {
+        options.encoding = one_of(&encoding, &Encoding::ALL, Encoding::name)?;
     }
-    let expected = "a whole number from 0".to_owned();
-    Err(OptionsError { option, found: value.to_string(), expected })
+    if let Some(horizon) = fields.optional("horizon") {
+        options.horizon = match horizon.value() {
+            Json::Text(text) if text == "any" => Horizon::Any,
+            Json::Integer(_) => Horizon::Steps(steps(&horizon)?),
+            _ => return Err(horizon.expected("a number of steps, or any")),
+        };
+    }
+    if let Some(step) = fields.optional("horizon_step") {
+        options.horizon_step = steps(&step)?;
+    }
+    if let Some(limit) = fields.optional("horizon_limit") {
+        options.horizon_limit = steps(&limit)?;
+    }
+    let goals = problem.goals().len() as u32;
+    let bound = |key| -> Result<Option<usize>, DocumentError> {
+        let Some(reader) = fields.optional(key) else { return Ok(None) };
+        Ok(Some(reader.integer(1..=goals)? as usize))
+    };
+    options.bounds.at_least = bound("k")?;
+    options.bounds.at_most = bound("j")?;
+    options.bounds.required = watched(&fields, "require", problem)?;
+    options.bounds.forbidden = watched(&fields, "forbid", problem)?;
+    if let Some(pareto) = fields.optional("pareto") {
+        options.pareto = pareto.boolean()?;
+    }
+    options.check(problem).map_err(|OptionsError { option, found, expected }| {
+        DocumentError::invalid(option, found, expected)
+    })?;
+    Ok(options)
 }
 
-fn unknown(option: &'static str, found: &str, names: &[&str]) -> OptionsError {
-    let expected = format!("one of {}", names.join(", "));
-    OptionsError { option, found: format!("{found:?}"), expected }
+fn one_of<T: Copy>(
+    reader: &Reader<'_>,
+    all: &[T],
+    name: impl Fn(T) -> &'static str,
+) -> Result<T, DocumentError> {
+    let found = match reader.value() {
+        Json::Text(text) => all.iter().find(|&&value| name(value) == text),
+        _ => None,
+    };
+    found.copied().ok_or_else(|| {
+        let names: Vec<&str> = all.iter().map(|&value| name(value)).collect();
+        reader.expected(format!("one of {}", names.join(", ")))
+    })
 }
 
-impl WatchedRequest {
-    /// The positions of the names.
-    ///
-    /// # Errors
-    ///
-    /// An unknown observer or goal.
-    pub fn resolve(
-        &self,
-        option: &'static str,
-        problem: &Problem,
-    ) -> Result<Watched, OptionsError> {
-        let observers: Vec<&str> = problem.observers().iter().map(|o| o.name.as_str()).collect();
-        let goals: Vec<&str> = problem.goals().iter().map(|goal| goal.name.as_str()).collect();
+fn steps(reader: &Reader<'_>) -> Result<usize, DocumentError> {
+    Ok(reader.integer(0..=MAX_HORIZON as u32)? as usize)
+}
+
+fn watched(
+    fields: &Fields<'_>,
+    key: &str,
+    problem: &Problem,
+) -> Result<Vec<Watched>, DocumentError> {
+    let Some(reader) = fields.optional(key) else { return Ok(Vec::new()) };
+    reader.list(|item| {
+        let fields = item.fields(&["observer", "goal"])?;
+        let observer = fields.required("observer", "the name of an observer")?;
+        let goal = fields.required("goal", "the name of a goal")?;
         Ok(Watched {
             observer: problem
-                .observer_named(&self.observer)
-                .ok_or_else(|| unknown(option, &self.observer, &observers))?,
+                .observer_named(observer.text()?)
+                .ok_or_else(|| observer.expected("the name of an observer"))?,
             goal: problem
-                .goal_named(&self.goal)
-                .ok_or_else(|| unknown(option, &self.goal, &goals))?,
+                .goal_named(goal.text()?)
+                .ok_or_else(|| goal.expected("the name of a goal"))?,
         })
-    }
-}
-
-impl SolveRequest {
-    /// The options meant.
-    ///
-    /// # Errors
-    ///
-    /// [`OptionsError`] with the option, what was given and what would do.
-    pub fn options(&self, problem: &Problem) -> Result<Options, OptionsError> {
-        let solver = Solver::named(&self.solver)
-            .ok_or_else(|| unknown("solver", &self.solver, &Solver::ALL.map(Solver::name)))?;
-        let mut options = Options::new(solver);
-        if let Some(name) = &self.encoding {
-            options.encoding = Encoding::named(name)
-                .ok_or_else(|| unknown("encoding", name, &Encoding::ALL.map(Encoding::name)))?;
-        }
-        options.horizon = match &self.horizon {
-            None => Horizon::Auto,
-            Some(HorizonRequest::Steps(steps)) => Horizon::Steps(whole("horizon", *steps)?),
-            Some(HorizonRequest::Name(name)) if name == "any" => Horizon::Any,
-            Some(HorizonRequest::Name(name)) => {
-                return Err(unknown("horizon", name, &["a number of steps", "any"]));
-            }
-        };
-        if let Some(step) = self.horizon_step {
-            options.horizon_step = whole("horizon step", step)?;
-        }
-        if let Some(limit) = self.horizon_limit {
-            options.horizon_limit = whole("horizon limit", limit)?;
-        }
-        options.bounds.at_least = self.k.map(|k| whole("k", k)).transpose()?;
-        options.bounds.at_most = self.j.map(|j| whole("j", j)).transpose()?;
-        let resolve = |option, watched: &[WatchedRequest]| -> Result<Vec<Watched>, OptionsError> {
-            watched.iter().map(|watched| watched.resolve(option, problem)).collect()
-        };
-        options.bounds.required = resolve("require", &self.require)?;
-        options.bounds.forbidden = resolve("forbid", &self.forbid)?;
-        options.pareto = self.pareto;
-        options.check(problem)?;
-        Ok(options)
-    }
+    })
 }

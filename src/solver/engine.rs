@@ -56,7 +56,7 @@ impl From<LimitReached> for Halt {
 }
 
 /// A solver at work on one horizon.
-pub(super) trait Engine: std::fmt::Debug + Send {
+pub(super) trait Engine: Send {
     /// Works for about `budget` expansions or nodes.
     fn advance(&mut self, budget: u64) -> Result<Advance, Halt>;
 

@@ -45,7 +45,6 @@ const SLICE: u64 = 2048;
 /// assert_eq!((outcome.status, outcome.goal_difference), (Status::Optimal, Some(1.0)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug)]
 pub struct Run {
     problem: Arc<Problem>,
     options: Options,
@@ -56,6 +55,13 @@ pub struct Run {
     /// Work done at earlier horizons.
     earlier: Stats,
     last_stats: Stats,
+}
+
+/// Shown without the engine, whose insides would weigh heavily in the wasm file.
+impl std::fmt::Debug for Run {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Run").field("horizon", &self.horizon).finish_non_exhaustive()
+    }
 }
 
 impl Run {

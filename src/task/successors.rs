@@ -49,7 +49,7 @@ impl SuccessorGenerator {
                 possible.then(|| (OperatorId::new(index), asked))
             })
             .collect();
-        requirements.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.cmp(&b.0)));
+        requirements.sort_unstable_by(|a, b| a.1.cmp(&b.1).then(a.0.cmp(&b.0)));
         Self { root: build(&requirements, 0) }
     }
 

@@ -135,7 +135,7 @@ impl Delivery {
     fn canonical_goal(&self, packages: &[Package<'_>]) -> String {
         let mut parts: Vec<&str> = self.true_goal.split(AND).collect();
         let place = |part: &&str| packages.iter().position(|package| package.name == *part);
-        parts.sort_by_key(place);
+        parts.sort_unstable_by_key(place);
         parts.join(AND)
     }
 

@@ -2,7 +2,6 @@
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use std::fmt::Debug;
 use std::hash::Hash;
 
 use crate::limits::{LimitReached, Limits};
@@ -22,9 +21,9 @@ pub(super) enum Admission {
 }
 
 /// What is searched.
-pub(super) trait SearchSpace: Debug + Send {
+pub(super) trait SearchSpace: Send {
     /// What tells nodes apart.
-    type Key: Copy + Eq + Hash + Debug + Send;
+    type Key: Copy + Eq + Hash + Send;
 
     /// Where the search begins.
     fn root(&mut self) -> Self::Key;
@@ -64,7 +63,6 @@ pub(super) trait SearchSpace: Debug + Send {
 type Open = BinaryHeap<Reverse<(i64, u64, u32)>>;
 
 /// A best-first search at work.
-#[derive(Debug)]
 pub(super) struct BestFirst<S: SearchSpace> {
     space: S,
     tree: SearchTree<S::Key>,

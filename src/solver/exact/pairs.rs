@@ -1,7 +1,5 @@
 //! The reachable pairs of survivor counts, each with the first node found for it.
 
-use std::collections::BTreeMap;
-
 use crate::plan::Plan;
 use crate::problem::{JointSpace, ProfileId, SurvivorCounts};
 use crate::solver::Bounds;
@@ -11,7 +9,8 @@ use crate::solver::outcome::{ParetoPoint, Status};
 /// Pairs and nodes, by the position of a node in its search.
 #[derive(Debug, Default)]
 pub(super) struct Pairs {
-    first: BTreeMap<SurvivorCounts, usize>,
+    /// Sorted by pair.
+    first: Vec<(SurvivorCounts, usize)>,
 }
 
 impl Pairs {
@@ -24,20 +23,22 @@ impl Pairs {
         node: usize,
     ) -> bool {
         let counts = joint.counts(profile);
-        if self.first.contains_key(&counts) || !allowed(joint, bounds, profile, counts) {
+        let place = self.first.partition_point(|(known, _)| *known < counts);
+        let known = self.first.get(place).is_some_and(|(known, _)| *known == counts);
+        if known || !allowed(joint, bounds, profile, counts) {
             return false;
         }
-        self.first.insert(counts, node);
+        self.first.insert(place, (counts, node));
         true
     }
 
     /// The pair with the best difference; of equal ones that with the fewest survivors for the
     /// friend.
     pub(super) fn best(&self) -> Option<(SurvivorCounts, usize)> {
-        let better = |(counts, _): &(&SurvivorCounts, &usize)| {
+        let better = |(counts, _): &&(SurvivorCounts, usize)| {
             (counts.difference(), std::cmp::Reverse(counts.cooperative))
         };
-        self.first.iter().max_by_key(better).map(|(&counts, &node)| (counts, node))
+        self.first.iter().max_by_key(better).copied()
     }
 
     /// The answer, once everything has been looked at.
@@ -46,7 +47,7 @@ impl Pairs {
             Some((_, node)) => Finding::plan(Status::Optimal, plan(node)),
             None => Finding::infeasible(),
         };
-        let point = |(&counts, &node)| ParetoPoint { counts, plan: plan(node) };
+        let point = |&(counts, node): &_| ParetoPoint { counts, plan: plan(node) };
         finding.pareto = pareto.then(|| self.first.iter().map(point).collect());
         finding
     }

@@ -152,7 +152,7 @@ impl Model {
         comparison: Comparison,
         right: f64,
     ) {
-        terms.sort_by_key(|(variable, _)| *variable);
+        terms.sort_unstable_by_key(|(variable, _)| *variable);
         terms.dedup_by(|next, kept| {
             let same = next.0 == kept.0;
             if same {

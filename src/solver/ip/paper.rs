@@ -30,37 +30,52 @@
 //! on its own, which implies the printed sum; and the true state is believed (`y_{s,t} ≤ b^i_{s,t}`),
 //! as the proof of the paper's first proposition says.
 
-use std::collections::{BTreeMap, BTreeSet};
+use indexmap::IndexMap;
+use rustc_hash::FxBuildHasher;
 
 use super::Encoded;
 use super::model::{Comparison, Kind, Model, Name, Variable};
 use super::objective::maximise_difference;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Role};
-use crate::sensor::Symbol;
 use crate::solver::live::LiveLayers;
-use crate::solver::{Bounds, Stats};
-use crate::task::{Action, Edge, StateId};
+use crate::solver::{Bounds, Stats, Watched};
+use crate::task::{Action, StateId};
 
-/// A transition with its source.
-type Transition = (StateId, Edge, usize);
+/// What a variable or a row of a step is about: one number or two, by their positions.
+type Key = (u32, u32);
 
-/// Variables of a step, by what they stand for.
-type Of<K> = BTreeMap<K, Variable>;
+/// Variables or rows of a step, in the order in which they were first needed.
+type Of<T> = IndexMap<Key, T, FxBuildHasher>;
+
+fn one(index: usize) -> Key {
+    (index as u32, 0)
+}
+
+fn two(first: usize, second: usize) -> Key {
+    (first as u32, second as u32)
+}
+
+/// A possible transition of the actor at a step; the position of its edge in the state space.
+#[derive(Debug, Clone, Copy)]
+struct Transition {
+    from: StateId,
+    action: Action,
+    to: StateId,
+    edge: usize,
+}
 
 struct Writer<'a> {
     joint: &'a mut JointSpace,
     bounds: &'a Bounds,
     model: Model,
     horizon: usize,
-    /// The actor's possible transitions at each step.
     transitions: Vec<Vec<Transition>>,
-    y: Vec<Of<StateId>>,
-    x: Vec<Of<Action>>,
+    y: Vec<Of<Variable>>,
+    x: Vec<Of<Variable>>,
 }
 
-/// Writes the model; none when the actor has no plan of this length, or a required goal cannot
-/// survive.
+/// Writes the model; none when the actor has no plan of this length.
 ///
 /// # Errors
 ///
@@ -76,22 +91,20 @@ pub(super) fn encode(
         return Ok(None);
     }
     let mut transitions = Vec::new();
-    let mut layer = BTreeSet::from([start]);
-    for step in 0..horizon {
+    let mut layer = vec![start];
+    for step in 1..=horizon {
         let mut here = Vec::new();
-        let mut next = BTreeSet::new();
-        for &state in &layer {
-            joint.states_mut().expand(state);
-            for position in joint.states().edge_range(state) {
-                let edge = joint.states().all_edges()[position];
-                if live.contains(step + 1, edge.target) {
-                    here.push((state, edge, position));
-                    next.insert(edge.target);
+        for &from in &layer {
+            joint.states_mut().expand(from);
+            for edge in joint.states().edge_range(from) {
+                let taken = joint.states().all_edges()[edge];
+                if live.contains(step, taken.target) {
+                    here.push(Transition { from, action: taken.action, to: taken.target, edge });
                 }
             }
         }
+        layer = distinct(here.iter().map(|transition| transition.to));
         transitions.push(here);
-        layer = next;
     }
     let mut writer = Writer {
         joint,
@@ -110,14 +123,44 @@ pub(super) fn encode(
     let Writer { joint, mut model, x, .. } = writer;
     maximise_difference(&mut model, joint.problem(), &counts);
     model.check(joint.limits())?;
-    let choice = |of: &Of<Action>| of.iter().map(|(&action, &v)| (action, vec![v])).collect();
-    let choices = x.iter().map(choice).collect();
+    let choice = |(&(action, _), &v): (&Key, &Variable)| (Action::new(action as usize), vec![v]);
+    let choices = x.iter().map(|of| of.iter().map(choice).collect()).collect();
     Ok(Some(Encoded { model, choices, spaces: Stats::default() }))
 }
 
-/// Terms with one coefficient.
-fn each(variables: impl IntoIterator<Item = Variable>, coefficient: f64) -> Vec<(Variable, f64)> {
-    variables.into_iter().map(|variable| (variable, coefficient)).collect()
+/// States in order, each once.
+fn distinct(states: impl Iterator<Item = StateId>) -> Vec<StateId> {
+    let mut states: Vec<StateId> = states.collect();
+    states.sort_unstable();
+    states.dedup();
+    states
+}
+
+/// Rows under construction: the terms of each, and the variables already in it.
+#[derive(Debug, Default)]
+struct Rows {
+    terms: Of<Vec<(Variable, f64)>>,
+}
+
+impl Rows {
+    fn add(&mut self, row: Key, variable: Variable, coefficient: f64) {
+        self.terms.entry(row).or_default().push((variable, coefficient));
+    }
+
+    /// Writes the rows; a variable that several transitions put into a row counts once.
+    fn write(
+        self,
+        model: &mut Model,
+        name: impl Fn(Key) -> Name,
+        comparison: Comparison,
+        right: f64,
+    ) {
+        for (key, mut terms) in self.terms {
+            terms.sort_unstable_by_key(|(variable, _)| *variable);
+            terms.dedup_by_key(|(variable, _)| *variable);
+            model.row(name(key), terms, comparison, right);
+        }
+    }
 }
 
 impl Writer<'_> {
@@ -134,185 +177,148 @@ impl Writer<'_> {
         // (3): the initial state; a state with the true goal in the end is all that is live.
         let first = self.binary(Name::new("y", [start.index(), 0]));
         self.model.fix(first, 1.0);
-        self.y.push(BTreeMap::from([(start, first)]));
+        self.y.push(Of::from_iter([(one(start.index()), first)]));
         for step in 1..=self.horizon {
             let transitions = std::mem::take(&mut self.transitions[step - 1]);
-            let mut y = BTreeMap::new();
-            let mut x = BTreeMap::new();
-            let mut p = BTreeMap::new();
-            for &(from, edge, _) in &transitions {
-                let to = edge.target;
-                let action = edge.action.index();
-                y.entry(to).or_insert_with(|| self.binary(Name::new("y", [to.index(), step])));
-                x.entry(edge.action).or_insert_with(|| self.binary(Name::new("x", [action, step])));
-                p.entry((from, to)).or_insert_with(|| {
-                    self.binary(Name::new("p", [from.index(), to.index(), step]))
-                });
-            }
-            let before = self.y[step - 1].clone();
-            let name = |letter, index| Name::new(letter, [index, step]);
-            // One state, one action: (17), as an equality since a plan has exactly T actions.
-            self.model.row(
-                Name::new("one_state", [step]),
-                each(y.values().copied(), 1.0),
-                Comparison::Equal,
-                1.0,
-            );
-            self.model.row(
-                Name::new("eq17", [step]),
-                each(x.values().copied(), 1.0),
-                Comparison::Equal,
-                1.0,
-            );
-            for (&action, &taken) in &x {
-                let of_action = || transitions.iter().filter(|(_, edge, _)| edge.action == action);
-                let sources: BTreeSet<Variable> = of_action().map(|(s, _, _)| before[s]).collect();
-                let mut terms = each(sources, -1.0);
-                terms.push((taken, 1.0));
-                self.model.row(name("eq8", action.index()), terms, Comparison::AtMost, 0.0);
-                let products: BTreeSet<Variable> =
-                    of_action().map(|(from, edge, _)| p[&(*from, edge.target)]).collect();
-                let mut terms = each(products, -1.0);
-                terms.push((taken, 1.0));
-                self.model.row(name("eq10", action.index()), terms, Comparison::AtMost, 0.0);
-            }
-            for (&to, &there) in &y {
-                let into = || transitions.iter().filter(|(_, edge, _)| edge.target == to);
-                let actions: BTreeSet<Variable> = into().map(|(_, e, _)| x[&e.action]).collect();
-                let sources: BTreeSet<Variable> = into().map(|(s, _, _)| before[s]).collect();
-                let mut terms = each(actions, 1.0);
-                terms.extend(each(sources, 1.0));
-                terms.push((there, -2.0));
-                self.model.row(name("eq9", to.index()), terms, Comparison::AtLeast, 0.0);
-            }
-            // The products of (10), by their sums.
-            for (&from, &was) in &before {
-                let mut terms =
-                    each(p.iter().filter(|((s, _), _)| *s == from).map(|(_, &v)| v), 1.0);
-                terms.push((was, -1.0));
-                self.model.row(name("p_from", from.index()), terms, Comparison::Equal, 0.0);
-            }
-            for (&to, &there) in &y {
-                let mut terms = each(p.iter().filter(|((_, s), _)| *s == to).map(|(_, &v)| v), 1.0);
-                terms.push((there, -1.0));
-                self.model.row(name("p_to", to.index()), terms, Comparison::Equal, 0.0);
-            }
-            // A change of state takes one of the actions that bring it about.
-            for (&(from, to), &product) in &p {
-                let actions = transitions.iter().filter(|(s, e, _)| (*s, e.target) == (from, to));
-                let mut terms = each(actions.map(|(_, edge, _)| x[&edge.action]), -1.0);
-                terms.push((product, 1.0));
-                let name = Name::new("p_by", [from.index(), to.index(), step]);
-                self.model.row(name, terms, Comparison::AtMost, 0.0);
-            }
+            self.actor_step(step, &transitions);
             self.transitions[step - 1] = transitions;
-            self.y.push(y);
-            self.x.push(x);
             self.model.check(self.joint.limits())?;
         }
         Ok(())
     }
 
+    fn actor_step(&mut self, step: usize, transitions: &[Transition]) {
+        let (mut x, mut y) = (Of::default(), Of::default());
+        let mut p: Of<Variable> = Of::default();
+        for t in transitions {
+            let (from, action, to) = (t.from.index(), t.action.index(), t.to.index());
+            y.entry(one(to)).or_insert_with(|| self.binary(Name::new("y", [to, step])));
+            x.entry(one(action)).or_insert_with(|| self.binary(Name::new("x", [action, step])));
+            p.entry(two(from, to)).or_insert_with(|| self.binary(Name::new("p", [from, to, step])));
+        }
+        let [mut eq8, mut eq9, mut eq10] = [Rows::default(), Rows::default(), Rows::default()];
+        let [mut p_from, mut p_to, mut p_by] = [Rows::default(), Rows::default(), Rows::default()];
+        for t in transitions {
+            let (from, to) = (one(t.from.index()), one(t.to.index()));
+            let (action, change) = (one(t.action.index()), two(t.from.index(), t.to.index()));
+            let was = self.y[step - 1][&from];
+            let (there, taken, product) = (y[&to], x[&action], p[&change]);
+            eq8.add(action, taken, 1.0);
+            eq8.add(action, was, -1.0);
+            eq9.add(to, taken, 1.0);
+            eq9.add(to, was, 1.0);
+            eq9.add(to, there, -2.0);
+            eq10.add(action, taken, 1.0);
+            eq10.add(action, product, -1.0);
+            // The products of (10), by their sums.
+            p_from.add(from, product, 1.0);
+            p_from.add(from, was, -1.0);
+            p_to.add(to, product, 1.0);
+            p_to.add(to, there, -1.0);
+            // A change of state takes one of the actions that bring it about.
+            p_by.add(change, product, 1.0);
+            p_by.add(change, taken, -1.0);
+        }
+        let model = &mut self.model;
+        let all = |of: &Of<Variable>| of.values().map(|&variable| (variable, 1.0)).collect();
+        model.row(Name::new("one_state", [step]), all(&y), Comparison::Equal, 1.0);
+        // (17), as an equality since a plan has exactly T actions.
+        model.row(Name::new("eq17", [step]), all(&x), Comparison::Equal, 1.0);
+        let name = |letter| move |key: Key| Name::new(letter, [key.0 as usize, step]);
+        eq8.write(model, name("eq8"), Comparison::AtMost, 0.0);
+        eq9.write(model, name("eq9"), Comparison::AtLeast, 0.0);
+        eq10.write(model, name("eq10"), Comparison::AtMost, 0.0);
+        p_from.write(model, name("p_from"), Comparison::Equal, 0.0);
+        p_to.write(model, name("p_to"), Comparison::Equal, 0.0);
+        let change = |key: Key| Name::new("p_by", [key.0 as usize, key.1 as usize, step]);
+        p_by.write(model, change, Comparison::AtMost, 0.0);
+        self.y.push(y);
+        self.x.push(x);
+    }
+
     /// Equations (6), (7) and (11) to (16) for one observer, and the goal constraints; returns the
     /// expression of how many goals survive.
     fn observer(&mut self, i: usize) -> Result<Vec<(Variable, f64)>, LimitReached> {
-        let symbols = self.symbols(i)?;
+        let symbols: Vec<Of<Variable>> =
+            (1..=self.horizon).map(|step| self.symbols(i, step)).collect();
         let believed = self.believable(i, &symbols)?;
-        let mut b: Of<StateId> = BTreeMap::new();
-        for &state in &believed[0] {
+        let mut b = Of::default();
+        for state in &believed[0] {
             // (6): the initial belief.
             let variable = self.binary(Name::new("b", [i, state.index(), 0]));
             self.model.fix(variable, 1.0);
-            b.insert(state, variable);
+            b.insert(one(state.index()), variable);
         }
         for step in 1..=self.horizon {
-            b = self.update(i, step, &b, &symbols[step - 1], &believed[step])?;
-        }
-        self.survivors(i, &b)
-    }
-
-    /// The symbols of each step, with their variables: equation (11).
-    fn symbols(&mut self, i: usize) -> Result<Vec<Of<Symbol>>, LimitReached> {
-        let mut all = Vec::new();
-        for step in 1..=self.horizon {
-            let transitions = std::mem::take(&mut self.transitions[step - 1]);
-            let mut q: BTreeMap<(Action, StateId), (Variable, Symbol)> = BTreeMap::new();
-            let mut w: Of<Symbol> = BTreeMap::new();
-            for &(_, edge, position) in &transitions {
-                let symbol = self.joint.symbol(i, position);
-                let (action, to) = (edge.action, edge.target);
-                q.entry((action, to)).or_insert_with(|| {
-                    let name = Name::new("q", [i, action.index(), to.index(), step]);
-                    (self.binary(name), symbol)
-                });
-                w.entry(symbol)
-                    .or_insert_with(|| self.binary(Name::new("w", [i, symbol.index(), step])));
-            }
-            for (&symbol, &seen) in &w {
-                let products = q.values().filter(|(_, of)| *of == symbol).map(|(v, _)| *v);
-                let mut terms = each(products, 1.0);
-                terms.push((seen, -1.0));
-                let name = Name::new("eq11", [i, symbol.index(), step]);
-                self.model.row(name, terms, Comparison::Equal, 0.0);
-            }
-            // The products of (11), by their sums.
-            for (&action, &taken) in &self.x[step - 1] {
-                let products = q.iter().filter(|((a, _), _)| *a == action).map(|(_, (v, _))| *v);
-                let mut terms = each(products, 1.0);
-                terms.push((taken, -1.0));
-                let name = Name::new("q_by", [i, action.index(), step]);
-                self.model.row(name, terms, Comparison::Equal, 0.0);
-            }
-            for (&to, &there) in &self.y[step] {
-                let products = q.iter().filter(|((_, s), _)| *s == to).map(|(_, (v, _))| *v);
-                let mut terms = each(products, 1.0);
-                terms.push((there, -1.0));
-                let name = Name::new("q_to", [i, to.index(), step]);
-                self.model.row(name, terms, Comparison::Equal, 0.0);
-            }
-            self.transitions[step - 1] = transitions;
-            all.push(w);
+            b = self.update(i, step, &b, &symbols[step - 1], &believed[step]);
             self.model.check(self.joint.limits())?;
         }
-        Ok(all)
+        Ok(self.survivors(i, &b))
+    }
+
+    /// The symbols of a step, with their variables: equation (11).
+    fn symbols(&mut self, i: usize, step: usize) -> Of<Variable> {
+        let transitions = std::mem::take(&mut self.transitions[step - 1]);
+        let mut w = Of::default();
+        let [mut eq11, mut q_by, mut q_to] = [Rows::default(), Rows::default(), Rows::default()];
+        let mut q: Of<Variable> = Of::default();
+        for t in &transitions {
+            let (action, to) = (t.action.index(), t.to.index());
+            let symbol = self.joint.symbol(i, t.edge).index();
+            let product = *q
+                .entry(two(action, to))
+                .or_insert_with(|| self.binary(Name::new("q", [i, action, to, step])));
+            let seen = *w
+                .entry(one(symbol))
+                .or_insert_with(|| self.binary(Name::new("w", [i, symbol, step])));
+            eq11.add(one(symbol), product, 1.0);
+            eq11.add(one(symbol), seen, -1.0);
+            // The products of (11), by their sums.
+            q_by.add(one(action), product, 1.0);
+            q_by.add(one(action), self.x[step - 1][&one(action)], -1.0);
+            q_to.add(one(to), product, 1.0);
+            q_to.add(one(to), self.y[step][&one(to)], -1.0);
+        }
+        let name = |letter| move |key: Key| Name::new(letter, [i, key.0 as usize, step]);
+        eq11.write(&mut self.model, name("eq11"), Comparison::Equal, 0.0);
+        q_by.write(&mut self.model, name("q_by"), Comparison::Equal, 0.0);
+        q_to.write(&mut self.model, name("q_to"), Comparison::Equal, 0.0);
+        self.transitions[step - 1] = transitions;
+        w
     }
 
     /// The states that can be believed after each step and can still lead to a candidate goal.
     fn believable(
         &mut self,
         i: usize,
-        symbols: &[Of<Symbol>],
-    ) -> Result<Vec<BTreeSet<StateId>>, LimitReached> {
+        symbols: &[Of<Variable>],
+    ) -> Result<Vec<Vec<StateId>>, LimitReached> {
         let profile = self.joint.initial().profile;
         let belief = self.joint.belief(profile, i);
-        let mut layers: Vec<BTreeSet<StateId>> =
-            vec![self.joint.beliefs(i).members(belief).iter().copied().collect()];
-        for step in 1..=self.horizon {
-            let mut next = BTreeSet::new();
-            for &state in &layers[step - 1] {
+        let mut layers = vec![self.joint.beliefs(i).members(belief).to_vec()];
+        for symbols in symbols {
+            let mut next = Vec::new();
+            for &state in layers.last().into_iter().flatten() {
                 self.joint.states_mut().expand(state);
-                for position in self.joint.states().edge_range(state) {
-                    if symbols[step - 1].contains_key(&self.joint.symbol(i, position)) {
-                        next.insert(self.joint.states().all_edges()[position].target);
+                for edge in self.joint.states().edge_range(state) {
+                    if symbols.contains_key(&one(self.joint.symbol(i, edge).index())) {
+                        next.push(self.joint.states().all_edges()[edge].target);
                     }
                 }
             }
             self.joint.limits().check_bytes(self.joint.bytes())?;
-            layers.push(next);
+            layers.push(distinct(next.into_iter()));
         }
-        let mut last = std::mem::take(&mut layers[self.horizon]);
-        last.retain(|&state| !self.joint.goals_of_state(state).is_empty());
-        layers[self.horizon] = last;
-        for step in (1..=self.horizon).rev() {
-            let mut here = std::mem::take(&mut layers[step - 1]);
-            here.retain(|&state| {
-                self.joint.states().edge_range(state).any(|position| {
-                    let target = self.joint.states().all_edges()[position].target;
-                    layers[step].contains(&target)
-                        && symbols[step - 1].contains_key(&self.joint.symbol(i, position))
+        layers[self.horizon].retain(|&state| !self.joint.goals_of_state(state).is_empty());
+        for step in (0..self.horizon).rev() {
+            let (before, after) = layers.split_at_mut(step + 1);
+            before[step].retain(|&state| {
+                self.joint.states().edge_range(state).any(|edge| {
+                    let target = self.joint.states().all_edges()[edge].target;
+                    after[0].binary_search(&target).is_ok()
+                        && symbols[step].contains_key(&one(self.joint.symbol(i, edge).index()))
                 })
             });
-            layers[step - 1] = here;
         }
         Ok(layers)
     }
@@ -322,27 +328,29 @@ impl Writer<'_> {
         &mut self,
         i: usize,
         step: usize,
-        before: &Of<StateId>,
-        symbols: &Of<Symbol>,
-        believed: &BTreeSet<StateId>,
-    ) -> Result<Of<StateId>, LimitReached> {
-        let mut b = BTreeMap::new();
-        for &state in believed {
-            let name = Name::new("b", [i, state.index(), step]);
-            b.insert(state, self.binary(name));
+        before: &Of<Variable>,
+        symbols: &Of<Variable>,
+        believed: &[StateId],
+    ) -> Of<Variable> {
+        let mut b = Of::default();
+        let mut eq16 = Rows::default();
+        for state in believed {
+            let then = self.binary(Name::new("b", [i, state.index(), step]));
+            eq16.add(one(state.index()), then, 1.0);
+            b.insert(one(state.index()), then);
         }
-        let mut into: BTreeMap<StateId, Vec<Variable>> = BTreeMap::new();
         for (&from, &was) in before {
-            for position in self.joint.states().edge_range(from) {
+            for position in self.joint.states().edge_range(StateId(from.0)) {
                 let edge = self.joint.states().all_edges()[position];
+                let to = one(edge.target.index());
                 // Correction 2: the symbol of (a, Γ(s, a)).
-                let symbol = self.joint.symbol(i, position);
-                let (Some(&seen), Some(&then)) = (symbols.get(&symbol), b.get(&edge.target)) else {
+                let symbol = self.joint.symbol(i, position).index();
+                let (Some(&seen), Some(&then)) = (symbols.get(&one(symbol)), b.get(&to)) else {
                     continue;
                 };
-                let numbers = [i, from.index(), edge.action.index(), step];
+                let numbers = [i, from.0 as usize, edge.action.index(), step];
                 let h = self.binary(Name::new("h", numbers));
-                into.entry(edge.target).or_default().push(h);
+                eq16.add(to, h, -1.0);
                 let mut row = |equation, terms: Vec<(Variable, f64)>, right| {
                     self.model.row(Name::new(equation, numbers), terms, Comparison::AtMost, right);
                 };
@@ -351,63 +359,54 @@ impl Writer<'_> {
                 row("eq14", vec![(h, 1.0), (then, -1.0)], 0.0);
                 row("eq15", vec![(h, 1.0), (seen, -1.0)], 0.0);
             }
-            self.model.check(self.joint.limits())?;
         }
+        let name = |key: Key| Name::new("eq16", [i, key.0 as usize, step]);
+        eq16.write(&mut self.model, name, Comparison::AtMost, 0.0);
         for (&state, &then) in &b {
-            let mut terms = each(into.remove(&state).unwrap_or_default(), -1.0);
-            terms.push((then, 1.0));
-            let name = Name::new("eq16", [i, state.index(), step]);
-            self.model.row(name, terms, Comparison::AtMost, 0.0);
             if let Some(&there) = self.y[step].get(&state) {
                 let terms = vec![(there, 1.0), (then, -1.0)];
-                let name = Name::new("true_state", [i, state.index(), step]);
+                let name = Name::new("true_state", [i, state.0 as usize, step]);
                 self.model.row(name, terms, Comparison::AtMost, 0.0);
             }
         }
-        Ok(b)
+        b
     }
 
     /// Equation (7) with its correction, and the goal constraints of the paper.
-    fn survivors(
-        &mut self,
-        i: usize,
-        b: &Of<StateId>,
-    ) -> Result<Vec<(Variable, f64)>, LimitReached> {
+    fn survivors(&mut self, i: usize, b: &Of<Variable>) -> Vec<(Variable, f64)> {
         let goals = self.joint.problem().goals().len();
         let mut g = Vec::new();
         for goal in 0..goals {
             let survives = self.binary(Name::new("g", [i, goal]));
-            g.push(survives);
-            let mut states = Vec::new();
+            // Correction 1.
+            let mut states = vec![(survives, 1.0)];
             for (&state, &believed) in b {
-                if self.joint.goals_of_state(state).contains(goal) {
+                if self.joint.goals_of_state(StateId(state.0)).contains(goal) {
                     states.push((believed, -1.0));
                     let terms = vec![(believed, 1.0), (survives, -1.0)];
-                    let name = Name::new("eq7", [i, goal, state.index()]);
+                    let name = Name::new("eq7", [i, goal, state.0 as usize]);
                     self.model.row(name, terms, Comparison::AtMost, 0.0);
                 }
             }
-            // Correction 1.
-            states.push((survives, 1.0));
             let name = Name::new("survives", [i, goal]);
             self.model.row(name, states, Comparison::AtMost, 0.0);
+            g.push((survives, 1.0));
         }
-        let here = |watched: &&crate::solver::Watched| watched.observer == i;
+        let here = |watched: &&Watched| watched.observer == i;
         let forced = self.bounds.required.iter().filter(here).map(|w| (w.goal, 1.0));
         let ruled_out = self.bounds.forbidden.iter().filter(here).map(|w| (w.goal, 0.0));
         for (number, (goal, value)) in forced.chain(ruled_out).enumerate() {
             let name = Name::new("goal", [i, number]);
-            self.model.row(name, vec![(g[goal], 1.0)], Comparison::Equal, value);
+            self.model.row(name, vec![g[goal]], Comparison::Equal, value);
         }
         let (bound, comparison) = match self.joint.problem().observers()[i].role {
             Role::Adversarial => (self.bounds.at_least, Comparison::AtLeast),
             Role::Cooperative => (self.bounds.at_most, Comparison::AtMost),
         };
         if let Some(bound) = bound {
-            let terms = each(g.iter().copied(), 1.0);
-            self.model.row(Name::new("survivors", [i]), terms, comparison, bound as f64);
+            let name = Name::new("survivors", [i]);
+            self.model.row(name, g.clone(), comparison, bound as f64);
         }
-        self.model.check(self.joint.limits())?;
-        Ok(each(g, 1.0))
+        g
     }
 }
