@@ -8,7 +8,7 @@ use thiserror::Error;
 use crate::limits::LimitReached;
 use crate::problem::Problem;
 use crate::task::StateSpace;
-use crate::trace::validate;
+use crate::trace::{Achievement, validate};
 
 use super::best_first::{baseline, search};
 use super::engine::{Advance, Engine, Finding, Halt};
@@ -217,46 +217,76 @@ impl Run {
             (None, Some(engine)) => engine.stop(LimitReached::Cancelled),
             (None, None) => Finding::stopped(None, LimitReached::Cancelled),
         };
-        let bounds = self.options.heeded_bounds();
-        let mut outcome = Outcome {
-            status: finding.status,
-            solver: self.options.solver,
-            encoding: (self.options.solver == Solver::Ip).then_some(self.options.encoding),
-            horizon: self.horizon,
-            plan: None,
-            survivors: None,
-            goal_difference: None,
-            pareto: None,
-            limit: finding.limit,
-            stats,
-        };
-        if let Some(plan) = &finding.plan {
-            let achieved = validate(&self.problem, plan)
-                .map_err(|error| SolveError::Replay(error.to_string()))?;
-            if !bounds.allow(achieved.counts, &achieved.survivors) {
-                return Err(SolveError::Replay("it breaks the bounds".to_owned()));
-            }
-            if self.horizon.is_some_and(|horizon| horizon != plan.len()) {
-                return Err(SolveError::Replay("it has another length than asked for".to_owned()));
-            }
-            outcome.horizon = Some(plan.len());
-            outcome.goal_difference = Some(self.problem.goal_difference(achieved.counts));
-            outcome.survivors = Some(achieved.survivors);
-            outcome.plan = Some(plan.clone());
-        }
-        if let Some(points) = &finding.pareto {
-            for point in points {
-                let achieved = validate(&self.problem, &point.plan)
-                    .map_err(|error| SolveError::Replay(error.to_string()))?;
-                if achieved.counts != point.counts {
-                    return Err(SolveError::Replay("a pair of counts is wrong".to_owned()));
-                }
-            }
-            outcome.pareto = Some(points.clone());
-        }
+        let outcome = conclude(&self.problem, &self.options, self.horizon, &finding, stats)?;
         self.finding = Some(finding);
         Ok(outcome)
     }
+}
+
+/// The outcome of a run that had to be left behind, from the last it was heard of.
+///
+/// # Errors
+///
+/// [`SolveError::Replay`] when its plan does not do what its solver says.
+pub fn abandoned(
+    problem: &Problem,
+    options: &Options,
+    progress: Option<&Progress>,
+) -> Result<Outcome, SolveError> {
+    let plan = progress.and_then(|progress| progress.plan.clone());
+    let horizon = progress.and_then(|progress| progress.horizon);
+    let finding = Finding::stopped(plan, LimitReached::Cancelled);
+    conclude(problem, options, horizon, &finding, Stats::default())
+}
+
+/// Replays what was found and puts the answer together.
+fn conclude(
+    problem: &Problem,
+    options: &Options,
+    horizon: Option<usize>,
+    finding: &Finding,
+    stats: Stats,
+) -> Result<Outcome, SolveError> {
+    let bounds = options.heeded_bounds();
+    let mut outcome = Outcome {
+        status: finding.status,
+        solver: options.solver,
+        encoding: (options.solver == Solver::Ip).then_some(options.encoding),
+        horizon,
+        plan: None,
+        survivors: None,
+        goal_difference: None,
+        pareto: None,
+        limit: finding.limit,
+        stats,
+    };
+    let replay = |plan| {
+        let achieved: Achievement =
+            validate(problem, plan).map_err(|error| SolveError::Replay(error.to_string()))?;
+        if !bounds.allow(achieved.counts, &achieved.survivors) {
+            return Err(SolveError::Replay("it breaks the bounds".to_owned()));
+        }
+        if horizon.is_some_and(|horizon| horizon != plan.len()) {
+            return Err(SolveError::Replay("it has another length than asked for".to_owned()));
+        }
+        Ok(achieved)
+    };
+    if let Some(plan) = &finding.plan {
+        let achieved = replay(plan)?;
+        outcome.horizon = Some(plan.len());
+        outcome.goal_difference = Some(problem.goal_difference(achieved.counts));
+        outcome.survivors = Some(achieved.survivors);
+        outcome.plan = Some(plan.clone());
+    }
+    if let Some(points) = &finding.pareto {
+        for point in points {
+            if replay(&point.plan)?.counts != point.counts {
+                return Err(SolveError::Replay("a pair of counts is wrong".to_owned()));
+            }
+        }
+        outcome.pareto = Some(points.clone());
+    }
+    Ok(outcome)
 }
 
 /// Solves a problem. `progress` is told now and then how far the work is, and may break it off;

@@ -1,0 +1,238 @@
+//! The arguments.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use mo_copp::solver::{Encoding, Horizon, MAX_HORIZON, Solver};
+
+/// Plans that a friend understands and an enemy does not.
+#[derive(Debug, Parser)]
+#[command(name = "mo-copp", version, about, max_term_width = 100)]
+#[command(after_help = "\
+Examples:
+  mo-copp generate gridworld --seed 1 > grid.json
+  mo-copp solve grid.json --solver exact
+  mo-copp solve grid.json --solver ip --horizon 12 --json
+  mo-copp solve grid.json --solver search --k 2 --j 2
+  mo-copp trace grid.json --plan north,north,east
+
+Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no plan found.")]
+pub struct CommandLine {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Find a plan: the best one, or one that keeps bounds.
+    Solve(SolveArgs),
+    /// Replay a plan and show what each observer makes of it.
+    Trace(TraceArgs),
+    /// Print the integer program in LP format, for any other solver.
+    Encode(EncodeArgs),
+    /// Print a random problem document.
+    Generate(GenerateArgs),
+}
+
+/// What the plan must achieve.
+#[derive(Debug, Args)]
+pub struct BoundsArgs {
+    /// At least K candidate goals survive for the enemy.
+    #[arg(long, value_name = "K")]
+    pub k: Option<usize>,
+    /// At most J candidate goals survive for the friend.
+    #[arg(long, value_name = "J")]
+    pub j: Option<usize>,
+    /// This goal survives for this observer, as in adversarial:G2. May be given several times.
+    #[arg(long, value_name = "ROLE:GOAL")]
+    pub require: Vec<String>,
+    /// This goal does not survive for this observer. May be given several times.
+    #[arg(long, value_name = "ROLE:GOAL")]
+    pub forbid: Vec<String>,
+}
+
+/// Find a plan.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Solvers:
+  exact      the best goal difference of all plans (of T actions with --horizon T), proved
+  ip         the same for T actions, by integer programming
+  search     a plan that keeps the bounds --k and --j, or the proof that there is none
+  baseline   a plan for the true goal, whatever anybody makes of it
+  obfuscate  search with --k alone
+  legible    search with --j alone
+
+Examples:
+  mo-copp solve grid.json --solver exact --pareto
+  mo-copp solve grid.json --solver ip --encoding paper --horizon 6
+  mo-copp solve grid.json --solver ip --horizon 12 --horizon-step 2
+  mo-copp solve grid.json --solver exact --require adversarial:G2 --forbid cooperative:G3
+  cat grid.json | mo-copp solve - --solver search --k 2 --j 2 --json")]
+pub struct SolveArgs {
+    /// The problem document; - for the standard input.
+    pub problem: PathBuf,
+    /// Who solves it.
+    #[arg(long, value_parser = solver, value_name = "SOLVER", default_value = "exact")]
+    pub solver: Solver,
+    /// Which integer program.
+    #[arg(long, value_parser = encoding, value_name = "ENCODING", default_value = "belief-flow")]
+    pub encoding: Encoding,
+    /// The number of actions of the plan, or any. Left out: any, but for the integer program, which
+    /// starts from the length of a shortest plan.
+    #[arg(long, value_parser = horizon, value_name = "T|any")]
+    pub horizon: Option<Horizon>,
+    /// While the horizon has no plan, raise it by S. For exact and ip.
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub horizon_step: usize,
+    /// How far to raise the horizon.
+    #[arg(long, value_name = "T", default_value_t = 100)]
+    pub horizon_limit: usize,
+    /// What the plan must achieve.
+    #[command(flatten)]
+    pub bounds: BoundsArgs,
+    /// Every reachable pair of survivor counts with a plan for each. For exact.
+    #[arg(long)]
+    pub pareto: bool,
+    /// One JSON object instead of text.
+    #[arg(long)]
+    pub json: bool,
+    /// Where to stop.
+    #[command(flatten)]
+    pub limits: LimitArgs,
+}
+
+/// Where to stop.
+#[derive(Debug, Args)]
+pub struct LimitArgs {
+    /// Memory for states, beliefs and nodes, counted by contents; the process takes up to three
+    /// times as much.
+    #[arg(long = "memory-limit", value_name = "MIB", default_value_t = 640)]
+    pub memory: u64,
+    /// Expansions of the exact solver or of a search.
+    #[arg(long = "expansion-limit", value_name = "N")]
+    pub expansions: Option<u64>,
+    /// Branch-and-bound nodes of the integer program.
+    #[arg(long = "node-limit", value_name = "N")]
+    pub nodes: Option<u64>,
+}
+
+/// Replay a plan.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The exit code is 1 when the plan does not end in the true goal.
+
+Examples:
+  mo-copp trace grid.json --plan north,north,east
+  mo-copp trace grid.json --plan-file plan.txt --json")]
+pub struct TraceArgs {
+    /// The problem document; - for the standard input.
+    pub problem: PathBuf,
+    /// The actions, with commas between them.
+    #[arg(long, value_name = "A,B,C", conflicts_with = "plan_file")]
+    pub plan: Option<String>,
+    /// A file with one action a line; - for the standard input.
+    #[arg(long, value_name = "FILE", required_unless_present = "plan")]
+    pub plan_file: Option<PathBuf>,
+    /// One JSON object instead of text.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Print the integer program.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  mo-copp encode grid.json --encoding belief-flow --horizon 12 > grid.lp
+  highs grid.lp")]
+pub struct EncodeArgs {
+    /// The problem document; - for the standard input.
+    pub problem: PathBuf,
+    /// Which integer program.
+    #[arg(long, value_parser = encoding, value_name = "ENCODING", default_value = "belief-flow")]
+    pub encoding: Encoding,
+    /// The number of actions of the plan.
+    #[arg(long, value_name = "T")]
+    pub horizon: usize,
+    /// What the plan must achieve.
+    #[command(flatten)]
+    pub bounds: BoundsArgs,
+}
+
+/// Print a random problem.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The same seed gives the same document everywhere.
+
+Examples:
+  mo-copp generate gridworld --seed 7 --width 6 --height 6 --walls 5
+  mo-copp generate delivery --seed 7 --packages 5")]
+pub struct GenerateArgs {
+    /// What kind of problem.
+    pub domain: DomainName,
+    /// The seed of the random numbers.
+    #[arg(long, value_name = "N")]
+    pub seed: u64,
+    /// Columns of a gridworld [default: 8].
+    #[arg(long, value_name = "N")]
+    pub width: Option<u32>,
+    /// Rows of a gridworld [default: 8].
+    #[arg(long, value_name = "N")]
+    pub height: Option<u32>,
+    /// Candidate goals of a gridworld [default: 3].
+    #[arg(long, value_name = "N")]
+    pub goals: Option<u32>,
+    /// Walls of a gridworld [default: 0].
+    #[arg(long, value_name = "N")]
+    pub walls: Option<u32>,
+    /// Cells in each initial belief of a gridworld [default: 11].
+    #[arg(long, value_name = "N")]
+    pub belief: Option<u32>,
+    /// Factories of a delivery [default: 3].
+    #[arg(long, value_name = "N")]
+    pub factories: Option<u32>,
+    /// Packages of a delivery [default: 6].
+    #[arg(long, value_name = "N")]
+    pub packages: Option<u32>,
+    /// How many packages to deliver [default: 2].
+    #[arg(long, value_name = "N")]
+    pub deliver: Option<u32>,
+}
+
+/// Kinds of problems that can be generated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum DomainName {
+    /// Cells, walls and moves.
+    Gridworld,
+    /// Factories, packages and a truck.
+    Delivery,
+}
+
+fn named<T: Copy>(
+    text: &str,
+    all: &[T],
+    name: impl Fn(T) -> &'static str,
+    found: Option<T>,
+) -> Result<T, String> {
+    let names: Vec<&str> = all.iter().map(|&value| name(value)).collect();
+    found.ok_or_else(|| format!("found {text}, expected one of {}", names.join(", ")))
+}
+
+fn solver(text: &str) -> Result<Solver, String> {
+    named(text, &Solver::ALL, Solver::name, Solver::named(text))
+}
+
+fn encoding(text: &str) -> Result<Encoding, String> {
+    named(text, &Encoding::ALL, Encoding::name, Encoding::named(text))
+}
+
+fn horizon(text: &str) -> Result<Horizon, String> {
+    if text == "any" {
+        return Ok(Horizon::Any);
+    }
+    let steps = text.parse().ok().filter(|steps| *steps <= MAX_HORIZON);
+    let expected =
+        || format!("found {text}, expected a whole number from 0 to {MAX_HORIZON}, or any");
+    steps.map(Horizon::Steps).ok_or_else(expected)
+}

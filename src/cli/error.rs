@@ -1,0 +1,47 @@
+//! What can go wrong between the command line and the library.
+
+use mo_copp::document::DocumentError;
+use mo_copp::domain::generate::GenerateError;
+use mo_copp::limits::LimitReached;
+use mo_copp::plan::PlanError;
+use mo_copp::solver::{OptionsError, SolveError};
+use thiserror::Error;
+
+/// An error of the command, with the file it is about.
+#[derive(Debug, Error)]
+pub enum CliError {
+    /// A file that cannot be read.
+    #[error("{file}: {reason}")]
+    Read {
+        /// Its name.
+        file: String,
+        /// Why.
+        reason: String,
+    },
+    /// A document that is wrong.
+    #[error("{file}: {error}")]
+    Document {
+        /// The file's name.
+        file: String,
+        /// What is wrong.
+        error: DocumentError,
+    },
+    /// An argument that does not fit the problem.
+    #[error("{0}")]
+    Options(#[from] OptionsError),
+    /// A plan that cannot be carried out.
+    #[error("the plan fails: {0}")]
+    Plan(#[from] PlanError),
+    /// Nothing can be generated.
+    #[error("{0}")]
+    Generate(#[from] GenerateError),
+    /// A solver broke down.
+    #[error("{0}")]
+    Solve(#[from] SolveError),
+    /// A model that is too large to write.
+    #[error("{0}")]
+    Limit(#[from] LimitReached),
+    /// The output cannot be written.
+    #[error("cannot write the output: {0}")]
+    Output(std::io::Error),
+}

@@ -1,0 +1,84 @@
+//! `mo-copp generate`
+
+use mo_copp::domain::Document;
+use mo_copp::domain::delivery::DeliveryShape;
+use mo_copp::domain::generate::Generated;
+use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::solver::OptionsError;
+
+use super::args::{DomainName, GenerateArgs};
+use super::error::CliError;
+use super::print;
+
+/// Prints a document; the exit code.
+pub fn run(args: &GenerateArgs) -> Result<u8, CliError> {
+    let generated = match args.domain {
+        DomainName::Gridworld => gridworld(args)?,
+        DomainName::Delivery => delivery(args)?,
+    };
+    print(&(generated.document.to_json() + "\n"))?;
+    if generated.redrawn > 0 {
+        eprintln!(
+            "mo-copp: note: {} problems without a way to the goal were drawn before this one",
+            generated.redrawn
+        );
+    }
+    Ok(0)
+}
+
+/// Sizes of another domain than the one asked for are a mistake.
+fn refuse(domain: &str, given: &[(&'static str, Option<u32>)]) -> Result<(), CliError> {
+    match given.iter().find(|(_, value)| value.is_some()) {
+        None => Ok(()),
+        Some((option, value)) => Err(OptionsError {
+            option,
+            found: value.unwrap_or_default().to_string(),
+            expected: format!("nothing, since a {domain} has no such size"),
+        }
+        .into()),
+    }
+}
+
+fn gridworld(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
+    refuse(
+        "gridworld",
+        &[("factories", args.factories), ("packages", args.packages), ("deliver", args.deliver)],
+    )?;
+    let default = GridworldShape::default();
+    let width = args.width.unwrap_or(default.width);
+    let height = args.height.unwrap_or(default.height);
+    let walls = args.walls.unwrap_or(default.walls);
+    // A small grid has room for a smaller belief.
+    let room = width.saturating_mul(height).saturating_sub(walls).max(1);
+    let shape = GridworldShape {
+        width,
+        height,
+        walls,
+        goals: args.goals.unwrap_or(default.goals),
+        belief: args.belief.unwrap_or(default.belief.min(room)),
+    };
+    let Generated { document, redrawn } = shape.generate(args.seed)?;
+    Ok(Generated { document: Document::Gridworld(document), redrawn })
+}
+
+fn delivery(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
+    refuse(
+        "delivery",
+        &[
+            ("width", args.width),
+            ("height", args.height),
+            ("goals", args.goals),
+            ("walls", args.walls),
+            ("belief", args.belief),
+        ],
+    )?;
+    let default = DeliveryShape::default();
+    let packages = args.packages.unwrap_or(default.packages);
+    let shape = DeliveryShape {
+        factories: args.factories.unwrap_or(default.factories.min(packages)),
+        packages,
+        deliver: args.deliver.unwrap_or(default.deliver),
+    };
+    let Generated { document, redrawn } = shape.generate(args.seed)?;
+    Ok(Generated { document: Document::Delivery(document), redrawn })
+}

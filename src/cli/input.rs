@@ -1,0 +1,77 @@
+//! Reads problems and the arguments that name parts of them.
+
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+use mo_copp::domain::Document;
+use mo_copp::problem::Problem;
+use mo_copp::solver::{Bounds, OptionsError, Watched};
+
+use super::args::BoundsArgs;
+use super::error::CliError;
+
+/// The largest file that is read.
+const MAX_BYTES: u64 = 256 << 20;
+
+/// A file as text; `-` for the standard input.
+pub fn text(path: &Path) -> Result<String, CliError> {
+    let file = path.display().to_string();
+    let failed =
+        |reason: std::io::Error| CliError::Read { file: file.clone(), reason: reason.to_string() };
+    let mut bytes = Vec::new();
+    let read = if file == "-" {
+        std::io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes)
+    } else {
+        let opened = std::fs::File::open(path).map_err(failed)?;
+        opened.take(MAX_BYTES + 1).read_to_end(&mut bytes)
+    };
+    read.map_err(failed)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        let reason = format!("found more than {} MiB, expected at most that", MAX_BYTES >> 20);
+        return Err(CliError::Read { file, reason });
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        let reason = format!("byte {place}: found something else, expected UTF-8 text");
+        CliError::Read { file, reason }
+    })
+}
+
+/// The problem of a document.
+pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
+    let text = text(path)?;
+    let wrong = |error| CliError::Document { file: path.display().to_string(), error };
+    let document = Document::parse(&text).map_err(wrong)?;
+    Ok(Arc::new(document.problem().map_err(wrong)?))
+}
+
+/// The bounds meant.
+pub fn bounds(args: &BoundsArgs, problem: &Problem) -> Result<Bounds, CliError> {
+    let all = |option, texts: &[String]| {
+        texts.iter().map(|text| watched(option, text, problem)).collect::<Result<Vec<_>, _>>()
+    };
+    Ok(Bounds {
+        at_least: args.k,
+        at_most: args.j,
+        required: all("require", &args.require)?,
+        forbidden: all("forbid", &args.forbid)?,
+    })
+}
+
+/// `ROLE:GOAL`. The name of the goal may hold colons itself.
+fn watched(option: &'static str, text: &str, problem: &Problem) -> Result<Watched, OptionsError> {
+    let wrong = |expected: String| OptionsError { option, found: format!("{text:?}"), expected };
+    let observers: Vec<&str> = problem.observers().iter().map(|o| o.name.as_str()).collect();
+    let (observer, goal) = text
+        .split_once(':')
+        .ok_or_else(|| wrong(format!("ROLE:GOAL with a role of {}", observers.join(", "))))?;
+    let observer = problem
+        .observer_named(observer)
+        .ok_or_else(|| wrong(format!("a role of {} before the colon", observers.join(", "))))?;
+    let goals: Vec<&str> = problem.goals().iter().take(8).map(|goal| goal.name.as_str()).collect();
+    let goal = problem
+        .goal_named(goal)
+        .ok_or_else(|| wrong(format!("a candidate goal after the colon: {}", goals.join(", "))))?;
+    Ok(Watched { observer, goal })
+}

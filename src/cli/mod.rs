@@ -1,0 +1,55 @@
+//! The command line. It reads arguments, calls the library and prints; nothing else.
+//!
+//! Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no plan found.
+
+mod args;
+mod encode;
+mod error;
+mod generate;
+mod input;
+mod progress;
+mod solve;
+mod trace;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Command, CommandLine};
+use error::CliError;
+
+/// There is no plan.
+const NO_PLAN: u8 = 1;
+/// Something was asked for wrongly.
+const BAD_INPUT: u8 = 2;
+/// A limit was met and no plan found.
+const LIMIT: u8 = 3;
+
+/// Runs the command; the exit code says how it went.
+pub fn main() -> ExitCode {
+    let done = match CommandLine::parse().command {
+        Command::Solve(args) => solve::run(&args),
+        Command::Trace(args) => trace::run(&args),
+        Command::Encode(args) => encode::run(&args),
+        Command::Generate(args) => generate::run(&args),
+    };
+    match done {
+        Ok(code) => ExitCode::from(code),
+        // Whoever read our output has had enough of it.
+        Err(CliError::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => {
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            // Where not even this can be printed, the exit code is all there is.
+            let _ = writeln!(std::io::stderr(), "mo-copp: {error}");
+            ExitCode::from(BAD_INPUT)
+        }
+    }
+}
+
+/// Prints a text to the standard output.
+fn print(text: &str) -> Result<(), CliError> {
+    let mut output = std::io::stdout().lock();
+    output.write_all(text.as_bytes()).and_then(|()| output.flush()).map_err(CliError::Output)
+}

@@ -1,0 +1,145 @@
+//! `mo-copp solve`
+
+use std::fmt::Write;
+
+use mo_copp::limits::Limits;
+use mo_copp::problem::{Problem, Role};
+use mo_copp::report::SolveReport;
+use mo_copp::solver::{Horizon, Options, Outcome, Solver, Status};
+
+use super::args::SolveArgs;
+use super::error::CliError;
+use super::{LIMIT, NO_PLAN, input, print, progress};
+
+/// Solves and prints; the exit code.
+pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
+    let problem = input::problem(&args.problem)?;
+    let options = Options {
+        encoding: args.encoding,
+        horizon: args.horizon.unwrap_or(Horizon::Auto),
+        horizon_step: args.horizon_step,
+        horizon_limit: args.horizon_limit,
+        bounds: input::bounds(&args.bounds, &problem)?,
+        pareto: args.pareto,
+        limits: Limits {
+            bytes: args.limits.memory.saturating_mul(1 << 20),
+            expansions: args.limits.expansions.unwrap_or(u64::MAX),
+            nodes: args.limits.nodes.unwrap_or(u64::MAX),
+            ..Limits::default()
+        },
+        ..Options::new(args.solver)
+    };
+    options.check(&problem)?;
+    say_unused(args);
+    let (outcome, seconds) = progress::solve_watched(&problem, &options)?;
+    if args.json {
+        let mut report = SolveReport::new(&problem, &outcome);
+        report.stats.seconds = Some(seconds);
+        // Only texts, numbers and lists: writing them cannot fail.
+        print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
+    } else {
+        print(&text(&problem, &options, &outcome, seconds))?;
+    }
+    Ok(match outcome.status {
+        Status::Optimal | Status::Solved | Status::Feasible => 0,
+        Status::Infeasible => NO_PLAN,
+        Status::Limit => LIMIT,
+    })
+}
+
+/// Options that the solver does not heed are no error, so that solvers can be compared under the
+/// same ones, but they are not passed over in silence.
+fn say_unused(args: &SolveArgs) {
+    let goals = !args.bounds.require.is_empty() || !args.bounds.forbid.is_empty();
+    let unused: &[(&str, bool)] = match args.solver {
+        Solver::Exact | Solver::Ip | Solver::Search => &[],
+        Solver::Obfuscate => &[("--j", args.bounds.j.is_some())],
+        Solver::Legible => &[("--k", args.bounds.k.is_some())],
+        Solver::Baseline => &[
+            ("--k", args.bounds.k.is_some()),
+            ("--j", args.bounds.j.is_some()),
+            ("--require and --forbid", goals),
+        ],
+    };
+    for (option, given) in unused {
+        if *given {
+            let solver = args.solver.name();
+            eprintln!("mo-copp: note: {option} is not used by the solver {solver}");
+        }
+    }
+}
+
+fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -> String {
+    let report = SolveReport::new(problem, outcome);
+    let mut text = String::new();
+    // Writing to a text cannot fail.
+    let _ = writeln!(text, "{}: {}", outcome.status.name(), meaning(options, outcome));
+    if let Some(limit) = outcome.limit {
+        let _ = writeln!(text, "stopped: {limit}");
+    }
+    if let (Some(plan), Some(difference)) = (&report.plan, outcome.goal_difference) {
+        let _ = writeln!(text, "plan: {} actions", plan.len());
+        if !plan.is_empty() {
+            let _ = writeln!(text, "  {}", plan.join(", "));
+        }
+        let _ = writeln!(text, "goal difference: {difference:.3}");
+    }
+    for (observer, set) in problem.observers().iter().zip(outcome.survivors.iter().flatten()) {
+        let who = match observer.role {
+            Role::Adversarial => "enemy",
+            Role::Cooperative => "friend",
+        };
+        let names: Vec<&str> = set.iter().map(|goal| problem.goals()[goal].name.as_str()).collect();
+        let of = problem.goals().len();
+        let _ = writeln!(
+            text,
+            "  the {who} ({}) holds {} of {of} goals possible: {}",
+            observer.name,
+            set.len(),
+            names.join(", ")
+        );
+    }
+    if let Some(points) = &report.pareto {
+        let _ = writeln!(text, "reachable pairs (goals left to the enemy, to the friend):");
+        for point in points {
+            let plan = point.plan.join(", ");
+            let pair = format!("({}, {})", point.adversarial, point.cooperative);
+            let _ = writeln!(text, "  {pair:8} {:3} actions: {plan}", point.plan.len());
+        }
+    }
+    let stats = &report.stats;
+    let counts = [
+        ("expansions", stats.expansions),
+        ("branch-and-bound nodes", stats.nodes),
+        ("variables", stats.variables),
+        ("rows", stats.rows),
+        ("states", Some(stats.states)),
+        ("beliefs", Some(stats.beliefs)),
+    ];
+    let shown: Vec<String> =
+        counts.iter().filter_map(|(what, n)| n.map(|n| format!("{n} {what}"))).collect();
+    let _ = writeln!(text, "work: {}, {seconds:.3} s", shown.join(", "));
+    text
+}
+
+/// What the status says of this problem.
+fn meaning(options: &Options, outcome: &Outcome) -> String {
+    let length = match (options.horizon, outcome.horizon) {
+        (Horizon::Any, _) | (Horizon::Auto, None) => "of any length".to_owned(),
+        (Horizon::Auto, Some(_)) if options.solver != Solver::Ip => "of any length".to_owned(),
+        (Horizon::Steps(_) | Horizon::Auto, Some(steps)) => {
+            format!("of {steps} actions")
+        }
+        (Horizon::Steps(steps), None) => format!("of {steps} actions"),
+    };
+    match outcome.status {
+        Status::Optimal => format!("no plan {length} has a greater goal difference"),
+        Status::Solved => "a plan that keeps the bounds".to_owned(),
+        Status::Feasible => format!("the best plan {length} found before the work stopped"),
+        Status::Infeasible if options.horizon_step > 0 => {
+            format!("there is no such plan {length} or at a shorter horizon tried")
+        }
+        Status::Infeasible => format!("there is no such plan {length}"),
+        Status::Limit => "no plan was found before the work stopped; there may be one".to_owned(),
+    }
+}
