@@ -17,10 +17,12 @@
 //! symbols decide every belief on it, so are the flows of all the others.
 //!
 //! Bounds need no rows: a node at step T whose belief breaks them is left out, and so is every node
-//! that leads to no other.
+//! that leads to no other. Nodes from which the same transitions lead to the same counts are one
+//! node: the layered automaton is minimised from the last step to the first, as acyclic automata
+//! are (Revuz 1992, doi:10.1016/0304-3975(92)90142-3).
 
 use fixedbitset::FixedBitSet;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::Encoded;
 use super::model::{Comparison, Kind, Model, Name, Variable};
@@ -41,17 +43,22 @@ struct Arc {
     edge: u32,
 }
 
-/// The network of one observer: nodes step by step, arcs out of each step.
+/// The network of one observer: nodes are numbered within their step.
 #[derive(Debug)]
 struct Network {
-    nodes: Vec<Vec<(StateId, BeliefId)>>,
+    /// How many nodes each step has.
+    sizes: Vec<usize>,
+    /// The arcs out of each step.
     arcs: Vec<Vec<Arc>>,
+    /// For each node of the last step how many goals survive, where the bounds allow it.
+    ends: Vec<Option<usize>>,
 }
 
 impl Network {
     /// Everything that can be reached along live states.
     fn new(
         joint: &mut JointSpace,
+        bounds: &Bounds,
         observer: usize,
         live: &LiveLayers,
         horizon: usize,
@@ -89,20 +96,23 @@ impl Network {
             nodes.push(next);
             arcs.push(out);
         }
-        Ok(Self { nodes, arcs })
+        let sizes = nodes.iter().map(Vec::len).collect();
+        let end = |&(_, belief): &(StateId, BeliefId)| worth(joint, bounds, observer, belief);
+        let ends = nodes[horizon].iter().map(end).collect();
+        Ok(Self { sizes, arcs, ends })
     }
 
     /// Drops arcs that cannot end in an allowed node, or that no other observer's network has any
     /// more, or that nothing leads to; true when that changed anything.
-    fn prune(&mut self, allowed: &FixedBitSet, shared: &[FixedBitSet]) -> bool {
+    fn prune(&mut self, shared: &[FixedBitSet]) -> bool {
         let before: usize = self.arcs.iter().map(Vec::len).sum();
-        let mut wanted = allowed.clone();
+        let ends = self.ends.iter().enumerate().filter(|(_, end)| end.is_some());
+        let mut wanted: FixedBitSet = ends.map(|(node, _)| node).collect();
         for step in (0..self.arcs.len()).rev() {
             self.arcs[step].retain(|arc| {
                 wanted.contains(arc.to as usize) && shared[step].contains(arc.edge as usize)
             });
             wanted = self.arcs[step].iter().map(|arc| arc.from as usize).collect();
-            wanted.grow(self.nodes[step].len());
         }
         let mut reached: FixedBitSet = std::iter::once(0).collect();
         for arcs in &mut self.arcs {
@@ -112,34 +122,80 @@ impl Network {
         self.arcs.iter().map(Vec::len).sum::<usize>() != before
     }
 
+    /// Makes one node of all nodes of a step that the same transitions lead out of to the same
+    /// nodes; at the last step, of those of one state with the same count.
+    fn minimise(&mut self) {
+        let horizon = self.arcs.len();
+        // The class of each node of the step after the present one.
+        let mut classes: Vec<u32> = Vec::new();
+        for step in (0..=horizon).rev() {
+            // What tells nodes apart: transitions and classes, or the count at the end. Arcs into
+            // the same class by the same transition come from the same state.
+            let mut signatures: Vec<Vec<(u32, u32)>> = vec![Vec::new(); self.sizes[step]];
+            if step == horizon {
+                for (signature, end) in signatures.iter_mut().zip(&self.ends) {
+                    signature.extend(end.map(|count| (u32::MAX, count as u32)));
+                }
+            } else {
+                for arc in &self.arcs[step] {
+                    signatures[arc.from as usize].push((arc.edge, classes[arc.to as usize]));
+                }
+            }
+            let mut numbers: FxHashMap<Vec<(u32, u32)>, u32> = FxHashMap::default();
+            let mut of_nodes = Vec::with_capacity(signatures.len());
+            for signature in signatures {
+                let next = numbers.len() as u32;
+                of_nodes.push(*numbers.entry(signature).or_insert(next));
+            }
+            if step == horizon {
+                let mut ends = vec![None; numbers.len()];
+                for (&class, &end) in of_nodes.iter().zip(&self.ends) {
+                    ends[class as usize] = end;
+                }
+                self.ends = ends;
+            } else {
+                self.merge(step, &of_nodes, &classes);
+            }
+            self.sizes[step] = numbers.len();
+            classes = of_nodes;
+        }
+    }
+
+    /// Renames both ends of the arcs out of a step and drops those that are there already.
+    fn merge(&mut self, step: usize, from: &[u32], to: &[u32]) {
+        let mut known = FxHashSet::default();
+        self.arcs[step].retain_mut(|arc| {
+            arc.from = from[arc.from as usize];
+            arc.to = to[arc.to as usize];
+            known.insert((arc.from, arc.edge))
+        });
+    }
+
     /// The edges that occur at each step.
     fn edges(&self) -> Vec<FixedBitSet> {
         self.arcs.iter().map(|arcs| arcs.iter().map(|arc| arc.edge as usize).collect()).collect()
     }
 }
 
-/// The nodes at the last step whose belief keeps the bounds for its observer.
-fn allowed_ends(
+/// How many goals survive for an observer in a belief; none where that breaks the bounds.
+fn worth(
     joint: &mut JointSpace,
     bounds: &Bounds,
     observer: usize,
-    ends: &[(StateId, BeliefId)],
-) -> FixedBitSet {
+    belief: BeliefId,
+) -> Option<usize> {
     let role = joint.problem().observers()[observer].role;
-    let mut allowed = FixedBitSet::with_capacity(ends.len());
-    for (index, &(_, belief)) in ends.iter().enumerate() {
-        let survivors = joint.survivors(observer, belief);
-        let count = match role {
-            Role::Adversarial => bounds.at_least.is_none_or(|k| survivors.len() >= k),
-            Role::Cooperative => bounds.at_most.is_none_or(|j| survivors.len() <= j),
-        };
-        let mut required = bounds.required.iter().filter(|w| w.observer == observer);
-        let mut forbidden = bounds.forbidden.iter().filter(|w| w.observer == observer);
-        let goals = required.all(|w| survivors.contains(w.goal))
-            && !forbidden.any(|w| survivors.contains(w.goal));
-        allowed.set(index, count && goals);
-    }
-    allowed
+    let survivors = joint.survivors(observer, belief);
+    let count = survivors.len();
+    let counts = match role {
+        Role::Adversarial => bounds.at_least.is_none_or(|k| count >= k),
+        Role::Cooperative => bounds.at_most.is_none_or(|j| count <= j),
+    };
+    let mut required = bounds.required.iter().filter(|w| w.observer == observer);
+    let mut forbidden = bounds.forbidden.iter().filter(|w| w.observer == observer);
+    let goals = required.all(|w| survivors.contains(w.goal))
+        && !forbidden.any(|w| survivors.contains(w.goal));
+    (counts && goals).then_some(count)
 }
 
 /// Writes the model; none when some observer's network has no way to an allowed end.
@@ -159,15 +215,12 @@ pub(super) fn encode(
     }
     let observers = joint.problem().observers().len();
     let mut networks = Vec::new();
-    let mut ends = Vec::new();
     for observer in 0..observers {
-        let network = Network::new(joint, observer, &live, horizon)?;
-        let allowed = allowed_ends(joint, bounds, observer, &network.nodes[horizon]);
-        if allowed.is_clear() {
+        let network = Network::new(joint, bounds, observer, &live, horizon)?;
+        if network.ends.iter().all(Option::is_none) {
             return Ok(None);
         }
         networks.push(network);
-        ends.push(allowed);
     }
     // Until nothing changes: a transition that one network has lost is of no use to the others.
     loop {
@@ -178,8 +231,8 @@ pub(super) fn encode(
             }
         }
         let mut changed = false;
-        for (network, allowed) in networks.iter_mut().zip(&ends) {
-            changed |= network.prune(allowed, &shared);
+        for network in &mut networks {
+            changed |= network.prune(&shared);
         }
         if !changed {
             break;
@@ -188,6 +241,7 @@ pub(super) fn encode(
     if horizon > 0 && networks.iter().any(|network| network.arcs[0].is_empty()) {
         return Ok(None);
     }
+    networks.iter_mut().for_each(Network::minimise);
     write(joint, &networks, horizon).map(Some)
 }
 
@@ -209,8 +263,8 @@ fn write(
         let kind = if observer == 0 { Kind::Binary } else { Kind::Continuous };
         let mut into: Vec<Vec<Variable>> = Vec::new();
         for (step, ties) in ties.iter_mut().enumerate() {
-            let mut out = vec![Vec::new(); network.nodes[step].len()];
-            let mut next = vec![Vec::new(); network.nodes[step + 1].len()];
+            let mut out = vec![Vec::new(); network.sizes[step]];
+            let mut next = vec![Vec::new(); network.sizes[step + 1]];
             for arc in &network.arcs[step] {
                 let numbers = [observer, step, arc.from as usize, arc.edge as usize];
                 let flow = model.add(Name::new("f", numbers), kind);
@@ -219,8 +273,7 @@ fn write(
                 let tied = ties.entry(arc.edge);
                 tied.or_insert_with(|| vec![Vec::new(); networks.len()])[observer].push(flow);
                 if step + 1 == horizon {
-                    let belief = network.nodes[horizon][arc.to as usize].1;
-                    let survivors = joint.survivors(observer, belief).len();
+                    let survivors = network.ends[arc.to as usize].unwrap_or_default();
                     counts[observer].push((flow, survivors as f64));
                 }
             }
@@ -261,10 +314,8 @@ fn write(
         // Nothing to decide: a variable fixed at 1 carries what the initial beliefs are worth.
         let one = model.add(Name::new("one", []), Kind::Binary);
         model.fix(one, 1.0);
-        let profile = joint.initial().profile;
-        for (observer, count) in counts.iter_mut().enumerate() {
-            let belief = joint.belief(profile, observer);
-            count.push((one, joint.survivors(observer, belief).len() as f64));
+        for (count, network) in counts.iter_mut().zip(networks) {
+            count.push((one, network.ends[0].unwrap_or_default() as f64));
         }
     }
     maximise_difference(&mut model, &problem, &counts);
