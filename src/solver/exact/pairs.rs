@@ -32,11 +32,11 @@ impl Pairs {
         true
     }
 
-    /// The pair with the best difference; of equal ones that with the fewest survivors for the
-    /// friend.
+    /// The pair with the best difference; of equal ones the one found first, since no plan for
+    /// another is shorter.
     pub(super) fn best(&self) -> Option<(SurvivorCounts, usize)> {
-        let better = |(counts, _): &&(SurvivorCounts, usize)| {
-            (counts.difference(), std::cmp::Reverse(counts.cooperative))
+        let better = |&&(counts, node): &&(SurvivorCounts, usize)| {
+            (counts.difference(), std::cmp::Reverse(node))
         };
         self.first.iter().max_by_key(better).copied()
     }
