@@ -62,6 +62,9 @@ pub(super) trait SearchSpace: Send {
 /// Least value first, then the oldest.
 type Open = BinaryHeap<Reverse<(i64, u64, u32)>>;
 
+/// How many nodes are expanded between two looks at the memory.
+const EXPANSIONS_BETWEEN_CHECKS: u64 = 16;
+
 /// A best-first search at work.
 pub(super) struct BestFirst<S: SearchSpace> {
     space: S,
@@ -106,15 +109,18 @@ impl<S: SearchSpace> BestFirst<S> {
 
     fn check_limits(&self) -> Result<(), LimitReached> {
         let limits = self.space.limits();
-        let open = size_of::<Reverse<(i64, u64, u32)>>() * (self.open.len() + self.deferred.len());
-        limits.check_bytes(self.space.bytes() + self.tree.bytes() + open as u64)?;
         if self.expansions >= limits.expansions {
             return Err(LimitReached::Expansions { limit: limits.expansions });
         }
-        Ok(())
+        if !self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
+            return Ok(());
+        }
+        let open = size_of::<Reverse<(i64, u64, u32)>>() * (self.open.len() + self.deferred.len());
+        limits.check_bytes(self.space.bytes() + self.tree.bytes() + open as u64)
     }
 
     fn expand(&mut self, index: usize) -> Result<(), LimitReached> {
+        self.check_limits()?;
         let mut found = std::mem::take(&mut self.found);
         let expanded = self.space.expand(self.tree.key(index), &mut found);
         self.expansions += 1;
@@ -139,12 +145,9 @@ impl<S: SearchSpace> BestFirst<S> {
 
 impl<S: SearchSpace> Engine for BestFirst<S> {
     fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
-        for count in 0..budget {
+        for _ in 0..budget {
             if let Some(plan) = self.plan() {
                 return Ok(Advance::Finished(Finding::plan(Status::Solved, plan)));
-            }
-            if count % 16 == 0 {
-                self.check_limits()?;
             }
             let Some(next) = self.open.pop() else {
                 if self.deferred.is_empty() {

@@ -12,6 +12,9 @@ use crate::solver::tree::SearchTree;
 use crate::solver::{Bounds, Options};
 use crate::task::Action;
 
+/// How many nodes are expanded between two looks at the memory.
+const EXPANSIONS_BETWEEN_CHECKS: usize = 64;
+
 /// Exact search over all horizons. The first plan found for a pair of counts is a shortest one,
 /// since nodes are met in the order of their distance.
 #[derive(Debug)]
@@ -44,7 +47,9 @@ impl Closure {
 
     fn check_limits(&self) -> Result<(), LimitReached> {
         let limits = self.joint.limits();
-        limits.check_bytes(self.joint.bytes() + self.tree.bytes())?;
+        if self.next.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
+            limits.check_bytes(self.joint.bytes() + self.tree.bytes())?;
+        }
         if self.next as u64 >= limits.expansions {
             return Err(LimitReached::Expansions { limit: limits.expansions });
         }
@@ -70,13 +75,11 @@ impl Closure {
     }
 
     fn work(&mut self, live: &Live, budget: u64) -> Result<bool, LimitReached> {
-        for count in 0..budget {
+        for _ in 0..budget {
             if self.next == self.tree.len() || self.cannot_be_beaten() {
                 return Ok(true);
             }
-            if count % 64 == 0 {
-                self.check_limits()?;
-            }
+            self.check_limits()?;
             let mut found = std::mem::take(&mut self.found);
             let node = self.tree.key(self.next);
             self.joint.expand(node, |state| live.contains(state), &mut found)?;

@@ -13,6 +13,9 @@ use crate::solver::tree::SearchTree;
 use crate::solver::{Bounds, Options};
 use crate::task::Action;
 
+/// How many nodes are expanded between two looks at the memory.
+const EXPANSIONS_BETWEEN_CHECKS: u64 = 64;
+
 /// When stopped early, this many nodes are followed to the goal at most.
 const FINISHED_ON_STOP: usize = 256;
 
@@ -57,7 +60,9 @@ impl Layers {
 
     fn check_limits(&self) -> Result<(), LimitReached> {
         let limits = self.joint.limits();
-        limits.check_bytes(self.joint.bytes() + self.tree.bytes())?;
+        if self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
+            limits.check_bytes(self.joint.bytes() + self.tree.bytes())?;
+        }
         if self.expansions >= limits.expansions {
             return Err(LimitReached::Expansions { limit: limits.expansions });
         }
@@ -115,7 +120,7 @@ impl Engine for Layers {
             }
         };
         let mut worked = Ok(());
-        for count in 0..budget {
+        for _ in 0..budget {
             if self.next == self.layer.end && self.step < self.horizon {
                 self.layer = self.layer.end..self.tree.len();
                 self.step += 1;
@@ -124,10 +129,7 @@ impl Engine for Layers {
             if self.step == self.horizon {
                 break;
             }
-            if count % 64 == 0 {
-                worked = self.check_limits();
-            }
-            worked = worked.and_then(|()| self.expand(&live, self.next));
+            worked = self.check_limits().and_then(|()| self.expand(&live, self.next));
             if worked.is_err() {
                 break;
             }
