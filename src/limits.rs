@@ -34,6 +34,12 @@ pub enum LimitReached {
         /// The limit in nonzero coefficients.
         limit: u64,
     },
+    /// The horizon was raised as far as allowed; nothing is known of longer plans.
+    #[error("horizon limit reached: {limit} steps")]
+    Horizon {
+        /// The limit.
+        limit: u64,
+    },
     /// Somebody asked for the work to stop.
     #[error("stopped on request")]
     Cancelled,

@@ -149,6 +149,11 @@ impl Run {
                         self.last_stats = Stats::default();
                         Ok(false)
                     }
+                    Some(_) if raise => {
+                        let limit = LimitReached::Horizon { limit: limit as u64 };
+                        self.finding = Some(Finding::stopped(None, limit));
+                        Ok(true)
+                    }
                     _ => {
                         self.finding = Some(finding);
                         Ok(true)
@@ -211,12 +216,12 @@ impl Run {
     ///
     /// [`SolveError::Replay`] when a plan does not do what its solver says.
     pub fn outcome(&mut self) -> Result<Outcome, SolveError> {
-        let stats = self.stats();
         let finding = match (self.finding.take(), &mut self.engine) {
             (Some(finding), _) => finding,
             (None, Some(engine)) => engine.stop(LimitReached::Cancelled),
             (None, None) => Finding::stopped(None, LimitReached::Cancelled),
         };
+        let stats = self.stats();
         let outcome = conclude(&self.problem, &self.options, self.horizon, &finding, stats)?;
         self.finding = Some(finding);
         Ok(outcome)
