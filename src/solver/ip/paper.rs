@@ -9,7 +9,7 @@
 //! | `y_{s,t}` | the actor is in state `s` after step `t` |
 //! | `w^i_{o,t}` | observer `i` sees symbol `o` at step `t` |
 //! | `b^i_{s,t}` | observer `i` holds state `s` possible after step `t` |
-//! | `h^i_{s,a,t}` | `i` holds possible that action `a` was taken in state `s` at step `t` |
+//! | `h^i_{s,o,t}` | `i` holds `s` possible after step `t−1` and then sees `o`: the product `b^i_{s,t−1} · w^i_{o,t}` |
 //! | `g^i_G` | goal `G` survives for observer `i` in the end |
 //! | `p_{s,s',t}` | the product `y_{s,t−1} · y_{s',t}` of (10) |
 //! | `q_{a,s',t}` | the product `x_{a,t} · y_{s',t}` of (11) |
@@ -26,9 +26,12 @@
 //! Only what can matter gets a variable: actor states on a way of exactly T steps to the true goal,
 //! symbols such ways can give, believed states that such symbols can lead to and that can still
 //! lead to a candidate goal. Products are linearised by their sums (`Σ_{s'} p_{s,s',t} = y_{s,t−1}`
-//! and so on), which is tighter than bounding each by its factors; (7) is written for each state
-//! on its own, which implies the printed sum; and the true state is believed (`y_{s,t} ≤ b^i_{s,t}`),
-//! as the proof of the paper's first proposition says.
+//! and so on), which is tighter than bounding each by its factors. The paper's `h^i_{s,a,t}` is such
+//! a product as well: (12), (13) and (15) say that it is `b^i_{s,t−1} · w^i_{o,t}` for the symbol `o`
+//! of `(a, Γ(s, a))`, so all actions with one symbol in a state share one variable, and
+//! `Σ_o h^i_{s,o,t} = b^i_{s,t−1}` stands for (12) and (13). (7) is written for each state on its
+//! own, which implies the printed sum; and the true state is believed (`y_{s,t} ≤ b^i_{s,t}`), as
+//! the proof of the paper's first proposition says.
 
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
@@ -171,7 +174,8 @@ impl Writer<'_> {
     /// Equations (3), (8) to (10) and (17).
     fn actor(&mut self) -> Result<(), LimitReached> {
         self.model.note("the paper's encoding: x_a_t action, y_s_t state, w_i_o_t symbol,");
-        self.model.note("b_i_s_t believed state, h_i_s_a_t believed transition, g_i_G survivor,");
+        self.model
+            .note("b_i_s_t believed state, h_i_s_o_t believed before symbol o, g_i_G survivor,");
         self.model.note("p and q products of binaries; rows are named after the equations");
         let start = self.joint.initial().state;
         // (3): the initial state; a state with the true goal in the end is all that is live.
@@ -339,34 +343,44 @@ impl Writer<'_> {
             eq16.add(one(state.index()), then, 1.0);
             b.insert(one(state.index()), then);
         }
+        let name = |letter| move |key: Key| Name::new(letter, [i, key.0 as usize, step]);
+        let pair =
+            |letter| move |key: Key| Name::new(letter, [i, key.0 as usize, key.1 as usize, step]);
+        let mut eq14 = Rows::default();
+        let mut eq15 = Rows::default();
+        let mut sums = Rows::default();
         for (&from, &was) in before {
+            let mut h: Of<Variable> = Of::default();
+            for (&symbol, &seen) in symbols {
+                let key = (from.0, symbol.0);
+                let product = self.binary(pair("h")(key));
+                h.insert(symbol, product);
+                eq15.add(key, product, 1.0);
+                eq15.add(key, seen, -1.0);
+                // (12) and (13), by the sum of the products.
+                sums.add(from, product, 1.0);
+                sums.add(from, was, -1.0);
+            }
             for position in self.joint.states().edge_range(StateId(from.0)) {
-                let edge = self.joint.states().all_edges()[position];
-                let to = one(edge.target.index());
+                let to = self.joint.states().all_edges()[position].target;
                 // Correction 2: the symbol of (a, Γ(s, a)).
-                let symbol = self.joint.symbol(i, position).index();
-                let (Some(&seen), Some(&then)) = (symbols.get(&one(symbol)), b.get(&to)) else {
-                    continue;
-                };
-                let numbers = [i, from.0 as usize, edge.action.index(), step];
-                let h = self.binary(Name::new("h", numbers));
-                eq16.add(to, h, -1.0);
-                let mut row = |equation, terms: Vec<(Variable, f64)>, right| {
-                    self.model.row(Name::new(equation, numbers), terms, Comparison::AtMost, right);
-                };
-                row("eq12", vec![(was, 1.0), (seen, 1.0), (h, -1.0)], 1.0);
-                row("eq13", vec![(h, 1.0), (was, -1.0)], 0.0);
-                row("eq14", vec![(h, 1.0), (then, -1.0)], 0.0);
-                row("eq15", vec![(h, 1.0), (seen, -1.0)], 0.0);
+                let symbol = one(self.joint.symbol(i, position).index());
+                if let (Some(&product), Some(&then)) = (h.get(&symbol), b.get(&one(to.index()))) {
+                    let key = (eq14.terms.len() as u32, 0);
+                    eq14.add(key, product, 1.0);
+                    eq14.add(key, then, -1.0);
+                    eq16.add(one(to.index()), product, -1.0);
+                }
             }
         }
-        let name = |key: Key| Name::new("eq16", [i, key.0 as usize, step]);
-        eq16.write(&mut self.model, name, Comparison::AtMost, 0.0);
+        sums.write(&mut self.model, name("eq13"), Comparison::Equal, 0.0);
+        eq14.write(&mut self.model, name("eq14"), Comparison::AtMost, 0.0);
+        eq15.write(&mut self.model, pair("eq15"), Comparison::AtMost, 0.0);
+        eq16.write(&mut self.model, name("eq16"), Comparison::AtMost, 0.0);
         for (&state, &then) in &b {
             if let Some(&there) = self.y[step].get(&state) {
                 let terms = vec![(there, 1.0), (then, -1.0)];
-                let name = Name::new("true_state", [i, state.0 as usize, step]);
-                self.model.row(name, terms, Comparison::AtMost, 0.0);
+                self.model.row(name("true_state")(state), terms, Comparison::AtMost, 0.0);
             }
         }
         b
