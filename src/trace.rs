@@ -83,7 +83,8 @@ struct Replay<'a> {
 impl<'a> Replay<'a> {
     fn new(problem: &'a Problem, plan: &Plan) -> Result<Self, PlanError> {
         let task = problem.task();
-        let (path, states) = execute(task, plan)?;
+        let label = |words: &[u64]| problem.label(words).to_string();
+        let (path, states) = execute(task, plan, label)?;
         let sorted = |mut belief: Vec<State>| {
             belief.sort_unstable();
             belief.dedup();

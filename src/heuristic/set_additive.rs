@@ -27,6 +27,7 @@ pub struct SetAdditive {
     value: Vec<u32>,
     supporter: Vec<u32>,
     settled: Vec<bool>,
+    wanted: Vec<bool>,
     missing: Vec<u32>,
     buckets: Vec<Vec<u32>>,
     mark: Vec<u32>,
@@ -56,6 +57,7 @@ impl SetAdditive {
             value: vec![UNREACHABLE; task.fact_count()],
             supporter: vec![NONE; task.fact_count()],
             settled: vec![false; task.fact_count()],
+            wanted: vec![false; task.fact_count()],
             missing: vec![0; task.operators().len()],
             buckets: Vec::new(),
             mark: vec![0; task.operators().len()],
@@ -73,7 +75,7 @@ impl SetAdditive {
     ///
     /// At most the sum over all operators of the size of their relaxed plans.
     pub fn evaluate(&mut self, task: &Task, words: &[u64], goals: &[&[Fact]], values: &mut [u32]) {
-        self.settle_all(task, words);
+        self.settle(task, words, goals);
         for (goal, value) in goals.iter().zip(values) {
             self.marks += 1;
             self.stack.clear();
@@ -122,7 +124,15 @@ impl SetAdditive {
         }
     }
 
-    fn settle_all(&mut self, task: &Task, words: &[u64]) {
+    /// Settles facts until those of all goals are, or no more can be.
+    fn settle(&mut self, task: &Task, words: &[u64], goals: &[&[Fact]]) {
+        self.wanted.fill(false);
+        let mut open = 0;
+        for fact in goals.iter().copied().flatten() {
+            let wanted = &mut self.wanted[fact.index()];
+            open += usize::from(!*wanted);
+            *wanted = true;
+        }
         self.value.fill(UNREACHABLE);
         self.supporter.fill(NONE);
         self.settled.fill(false);
@@ -144,13 +154,14 @@ impl SetAdditive {
         let mut value = 0;
         while value < self.buckets.len() {
             let mut position = 0;
-            while position < self.buckets[value].len() {
+            while position < self.buckets[value].len() && open > 0 {
                 let fact = self.buckets[value][position] as usize;
                 position += 1;
                 if self.settled[fact] {
                     continue;
                 }
                 self.settled[fact] = true;
+                open -= usize::from(self.wanted[fact]);
                 for index in 0..self.required_by[fact].len() {
                     let operator = self.required_by[fact][index];
                     self.missing[operator as usize] -= 1;

@@ -9,7 +9,7 @@ use crate::task::{Fact, OperatorId, State, Task};
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum PlanError {
     /// A name that is no action of the task.
-    #[error("step {step}: {action:?} is no action of this problem; expected one of {known}")]
+    #[error("step {step}: found {action:?}, expected an action of this problem: {known}")]
     UnknownAction {
         /// The step, from 1.
         step: usize,
@@ -19,13 +19,13 @@ pub enum PlanError {
         known: String,
     },
     /// An action that cannot be carried out where the plan has led.
-    #[error("step {step}: {action} is not applicable in {state}: {reason}")]
+    #[error("step {step}: found {action}, which is not applicable in {state}: {reason}")]
     NotApplicable {
         /// The step, from 1.
         step: usize,
         /// The action.
         action: String,
-        /// The state the plan has led to, as its facts.
+        /// The state the plan has led to.
         state: String,
         /// What is missing.
         reason: String,
@@ -33,12 +33,17 @@ pub enum PlanError {
 }
 
 /// Applies a plan to the initial state: every operator used and every state passed, the initial
-/// one first. Whether the goal holds at the end is for the caller to ask.
+/// one first. Whether the goal holds at the end is for the caller to ask. `label` names a packed
+/// state in an error.
 ///
 /// # Errors
 ///
 /// [`PlanError::NotApplicable`] at the first step whose preconditions do not hold.
-pub fn execute(task: &Task, plan: &Plan) -> Result<(Vec<OperatorId>, Vec<State>), PlanError> {
+pub fn execute(
+    task: &Task,
+    plan: &Plan,
+    label: impl Fn(&[u64]) -> String,
+) -> Result<(Vec<OperatorId>, Vec<State>), PlanError> {
     let mut state = task.initial_state().clone();
     let mut operators = Vec::with_capacity(plan.len());
     let mut states = vec![state.clone()];
@@ -65,13 +70,13 @@ pub fn execute(task: &Task, plan: &Plan) -> Result<(Vec<OperatorId>, Vec<State>)
                         .collect();
                     format!("it needs {}", names(&missing))
                 }
-                (Some(_), Some(_)) => "nothing there lets it happen".to_owned(),
-                (None, _) => "no state allows it".to_owned(),
+                (Some(_), Some(_)) => "it leads nowhere from there".to_owned(),
+                (None, _) => "it leads nowhere from any state".to_owned(),
             };
             return Err(PlanError::NotApplicable {
                 step: index + 1,
                 action: task.action_name(action).to_owned(),
-                state: names(&task.facts_of(state.words())),
+                state: label(state.words()),
                 reason,
             });
         };

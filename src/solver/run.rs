@@ -30,8 +30,9 @@ pub enum SolveError {
     Replay(String),
 }
 
-/// How many expansions or nodes [`solve`] does between two reports.
-const SLICE: u64 = 2048;
+/// How many expansions or nodes [`solve`] does between two reports. Few, since a single one can
+/// take long where beliefs are large.
+const SLICE: u64 = 64;
 
 /// A solver at work.
 ///

@@ -1,0 +1,259 @@
+//! What a user can get wrong: exit code 2 and one message with the place.
+
+use crate::{DELIVERY, EXPLICIT, GRID, mo_copp};
+
+/// A change to a document, and what the message says.
+type Case = (&'static str, &'static str, &'static str);
+
+fn refused(document: &str, (from, to, message): Case) {
+    assert!(document.contains(from), "the document holds {from}");
+    let ran = mo_copp(&document.replacen(from, to, 1), &["solve", "-", "--json"]);
+    assert_eq!(ran.code, 2, "{to}: {}{}", ran.out, ran.err);
+    assert_eq!(ran.out, "", "{to}: nothing is half done");
+    assert_eq!(ran.err, format!("mo-copp: -: {message}\n"), "{to}");
+}
+
+#[test]
+fn gridworld_documents() {
+    let cases: &[Case] = &[
+        ("{\"format\"", "{format", "line 1, column 2: key must be a string"),
+        (
+            "\"gridworld\"",
+            "\"chess\"",
+            "format: found \"chess\", expected gridworld, delivery or explicit",
+        ),
+        (
+            "\"stay\"",
+            "\"stey\"",
+            "document: found the unknown key \"stey\", expected only format, width, height, walls, start, goals, true_goal, stay, observers",
+        ),
+        ("[7, 0]", "[8, 0]", "goals[0].cell: found [8, 0], expected a cell inside the 8 × 8 grid"),
+        ("[7, 0]", "[3, 3]", "goals[0].cell: found [3, 3], which is a wall, expected a free cell"),
+        (
+            "\"G2\"",
+            "\"G1\"",
+            "goals[1].name: found the goal name \"G1\" for the second time, expected a name of its own",
+        ),
+        (
+            "\"true_goal\": \"G1\"",
+            "\"true_goal\": \"G9\"",
+            "true_goal: found \"G9\", expected the name of a candidate goal: G1, G2, G3",
+        ),
+        (
+            ", {\"name\": \"G2\", \"cell\": [7, 7]}, {\"name\": \"G3\", \"cell\": [0, 0]}",
+            "",
+            "goals: found 1 candidate goals, expected 2 to 1024",
+        ),
+        (
+            "\"initial_belief\": [[0, 7]]",
+            "\"initial_belief\": [[1, 7]]",
+            "observers.adversarial.initial_belief: found 1 cells without the start, expected the start [0, 7] among them",
+        ),
+        (
+            "\"west\": \"horizontal\"",
+            "\"wesp\": \"horizontal\"",
+            "observers.adversarial.sensor: found the unknown key \"wesp\", expected only north, south, east, west, stay",
+        ),
+        (
+            ", \"west\": \"horizontal\"",
+            "",
+            "observers.adversarial.sensor.west: found nothing, expected the symbol the observer sees",
+        ),
+        (
+            "\"stay\": false",
+            "\"stay\": true",
+            "observers.adversarial.sensor.stay: found nothing, expected the symbol the observer sees, since the agent may stay",
+        ),
+        ("[[3, 3]]", "[[0, 7]]", "start: found [0, 7], which is a wall, expected a free cell"),
+        ("[[3, 3]]", "[[3, 9]]", "walls[0]: found [3, 9], expected a cell inside the 8 × 8 grid"),
+        (
+            "\"width\": 8, \"height\": 8",
+            "\"width\": 100000, \"height\": 100000",
+            "width: found 100000, expected a whole number from 1 to 256",
+        ),
+        ("\"width\": 8", "\"width\": -8", "width: found -8, expected a whole number from 1 to 256"),
+        (
+            "\"width\": 8",
+            "\"width\": 8.5",
+            "width: found 8.5, expected a whole number from 1 to 256",
+        ),
+        (
+            "\"width\": 8",
+            "\"width\": \"8\"",
+            "width: found \"8\", expected a whole number from 1 to 256",
+        ),
+        (
+            "\"width\": 8",
+            "\"width\": 8, \"width\": 9",
+            "line 1, column 43: the key \"width\" is given twice",
+        ),
+        (
+            "\"start\": [0, 7]",
+            "\"start\": [0]",
+            "start: found [0], expected a cell [column, row] of whole numbers from 0",
+        ),
+        ("\"start\": [0, 7],", "", "start: found nothing, expected a cell"),
+    ];
+    for case in cases {
+        refused(GRID, *case);
+    }
+}
+
+#[test]
+fn explicit_documents() {
+    let cases: &[Case] = &[
+        (
+            "[\"s0\", \"b\", \"s2\"]",
+            "[\"s0\", \"a\", \"s2\"]",
+            "transitions[1]: found a second transition of \"a\" in \"s0\", expected at most one successor for each state and action",
+        ),
+        (
+            ", [\"b\", \"s2\", \"moved\"]",
+            "",
+            "observers.adversarial.sensor: found no symbol for \"b\" resulting in \"s2\", expected a symbol for every action and resulting state that occurs",
+        ),
+        (
+            "[\"b\", \"s2\", \"moved\"]",
+            "[\"a\", \"s1\", \"moved\"]",
+            "observers.adversarial.sensor[1]: found a second symbol for \"a\" resulting in \"s1\", expected one symbol for each pair",
+        ),
+        (
+            "\"initial_belief\": [\"s0\"]",
+            "\"initial_belief\": [\"s1\"]",
+            "observers.adversarial.initial_belief: found 1 states without the initial state, expected \"s0\" among them",
+        ),
+        (
+            "[\"s0\", \"b\", \"s2\"]",
+            "[\"s0\", \"b\", \"s9\"]",
+            "transitions[1][2]: found \"s9\", expected a state of the document: s0, s1, s2",
+        ),
+        (
+            "[\"s0\", \"b\", \"s2\"]",
+            "[\"s0\", \"b\"]",
+            "transitions[1]: found [\"s0\", \"b\"], expected [state, action, resulting state]",
+        ),
+        (
+            "\"initial_state\": \"s0\"",
+            "\"initial_state\": \"\"",
+            "initial_state: found \"\", expected a text that is not empty",
+        ),
+        (
+            "[\"s0\", \"s1\", \"s2\"]",
+            "[\"s0\", \"s1\", \"s1\"]",
+            "states[2]: found the name \"s1\" for the second time, expected a name of its own",
+        ),
+    ];
+    for case in cases {
+        refused(EXPLICIT, *case);
+    }
+}
+
+#[test]
+fn delivery_documents() {
+    let cases: &[Case] = &[
+        (
+            "\"deliver\": 2",
+            "\"deliver\": 5",
+            "deliver: found 5, expected a whole number from 1 to 4",
+        ),
+        (
+            "\"deliver\": 2",
+            "\"deliver\": 4",
+            "deliver: found 4 of 4 packages, expected between 2 and 1024 possible sets, which are the goals",
+        ),
+        (
+            "\"a1+a2\"",
+            "\"a1+c1\"",
+            "true_goal: found \"c1+a1\", expected the name of a candidate goal: a1+a2, a1+b1, a1+b2, a2+b1, a2+b2, b1+b2",
+        ),
+        (
+            "\"b2\"",
+            "\"a1\"",
+            "factories[1].packages[1]: found the name \"a1\" for the second time, expected a name of its own",
+        ),
+        ("\"b2\"", "\"b+2\"", "factories[1].packages[1]: found \"b+2\", expected a name without +"),
+        (
+            ", \"B\": \"barcode B\"",
+            "",
+            "observers.cooperative.sensor.load: found no symbol for b1 (factories[1].packages[0]), expected a symbol for b1 or for B",
+        ),
+        (
+            "\"B\": \"barcode B\"",
+            "\"B\": \"barcode B\", \"D\": \"x\"",
+            "observers.cooperative.sensor.load: found \"D\", expected a factory or a package: A, B, a1, a2, b1, b2",
+        ),
+    ];
+    for case in cases {
+        refused(DELIVERY, *case);
+    }
+}
+
+#[test]
+fn arguments() {
+    for (arguments, message) in [
+        (
+            &["--horizon", "1000000000"][..],
+            "found 1000000000, expected a whole number from 0 to 10000, or any",
+        ),
+        (&["--horizon=-1"], "found -1, expected a whole number from 0 to 10000, or any"),
+        (&["--horizon", "1.5"], "found 1.5, expected"),
+        (&["--k", "4"], "k: found 4, expected a whole number from 1 to 3, the number of goals"),
+        (&["--k", "0"], "k: found 0, expected a whole number from 1 to 3"),
+        (&["--j", "4"], "j: found 4, expected a whole number from 1 to 3"),
+        (&["--j", "0"], "j: found 0, expected a whole number from 1 to 3"),
+        (&["--j=-1"], "--j"),
+        (
+            &["--solver", "magic"],
+            "found magic, expected one of exact, ip, search, baseline, obfuscate, legible",
+        ),
+        (&["--encoding", "magic"], "found magic, expected one of paper, belief-flow"),
+        (&["--solver", "ip", "--horizon", "any"], "horizon: found any, expected a number of steps"),
+        (&["--solver", "ip", "--pareto"], "pareto: found the solver ip, expected the solver exact"),
+        (&["--require", "adversarial"], "require: found \"adversarial\", expected ROLE:GOAL"),
+        (
+            &["--require", "spy:G1"],
+            "require: found \"spy:G1\", expected a role of adversarial, cooperative",
+        ),
+        (
+            &["--forbid", "cooperative:G9"],
+            "forbid: found \"cooperative:G9\", expected a candidate goal",
+        ),
+        (
+            &["--horizon-step", "1000000000"],
+            "horizon step: found 1000000000, expected a whole number from 0 to 10000",
+        ),
+        (&["--nonsense"], "--nonsense"),
+    ] {
+        let ran = mo_copp(GRID, &[&["solve", "-"], arguments].concat());
+        assert_eq!(ran.code, 2, "{arguments:?}: {}{}", ran.out, ran.err);
+        assert!(ran.err.contains(message), "{arguments:?}: {}", ran.err);
+        assert_eq!(ran.out, "", "{arguments:?}");
+    }
+}
+
+#[test]
+fn plans_and_files() {
+    for (arguments, message) in [
+        (
+            &["trace", "-", "--plan", "north,west"][..],
+            "mo-copp: the plan fails: step 2: found west, which is not applicable in [0, 6]: it leads nowhere from there\n",
+        ),
+        (
+            &["trace", "-", "--plan", "north,fly"],
+            "mo-copp: the plan fails: step 2: found \"fly\", expected an action of this problem: north, south, east, west\n",
+        ),
+        (
+            &["solve", "no-such-file.json"],
+            "mo-copp: no-such-file.json: No such file or directory (os error 2)\n",
+        ),
+    ] {
+        let ran = mo_copp(GRID, arguments);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{arguments:?}");
+        assert_eq!(ran.err, message);
+    }
+    let ran = mo_copp(DELIVERY, &["trace", "-", "--plan", "load a1,load a1"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("step 2: found load a1, which is not applicable in {"), "{}", ran.err);
+    let ran = mo_copp(GRID, &["trace", "-"]);
+    assert_eq!(ran.code, 2, "a plan is required");
+}

@@ -1,0 +1,38 @@
+//! `mo-copp generate`
+
+use crate::mo_copp;
+
+#[test]
+fn the_same_seed_gives_the_same_document_and_it_can_be_solved() {
+    for domain in ["gridworld", "delivery"] {
+        let first = mo_copp("", &["generate", domain, "--seed", "7"]);
+        let again = mo_copp("", &["generate", domain, "--seed", "7"]);
+        let other = mo_copp("", &["generate", domain, "--seed", "8"]);
+        assert_eq!(first.code, 0, "{}", first.err);
+        assert_eq!(first.out, again.out);
+        assert_ne!(first.out, other.out);
+        let solved = mo_copp(&first.out, &["solve", "-", "--json"]);
+        assert_eq!(solved.json()["status"], "optimal");
+    }
+}
+
+#[test]
+fn sizes_are_heeded_and_bad_ones_refused() {
+    let sizes = ["--width", "5", "--height", "4", "--goals", "2", "--walls", "3", "--belief", "2"];
+    let ran = mo_copp("", &[&["generate", "gridworld", "--seed", "1"][..], &sizes].concat());
+    let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!((json["width"].as_u64(), json["height"].as_u64()), (Some(5), Some(4)));
+    assert_eq!(json["walls"].as_array().unwrap().len(), 3);
+    assert_eq!(json["goals"].as_array().unwrap().len(), 2);
+    for (arguments, message) in [
+        (&["gridworld", "--width", "0"][..], "width: found 0, expected a whole number from 1"),
+        (&["gridworld", "--walls", "63"], "walls: found 63, expected a whole number from 0 to 60"),
+        (&["gridworld", "--packages", "3"], "packages: found 3, expected nothing"),
+        (&["delivery", "--goals", "3"], "goals: found 3, expected nothing"),
+        (&["delivery", "--deliver", "6"], "deliver: found 6, expected a whole number from 1 to 5"),
+    ] {
+        let ran = mo_copp("", &[&["generate"], arguments, &["--seed", "1"]].concat());
+        assert_eq!(ran.code, 2, "{arguments:?}");
+        assert!(ran.err.contains(message), "{arguments:?}: {}", ran.err);
+    }
+}

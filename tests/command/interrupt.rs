@@ -1,0 +1,50 @@
+//! Ctrl-C: the best plan found is kept.
+#![cfg(unix)]
+
+use std::io::Write;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use crate::{command, mo_copp, ran};
+
+/// Runs a solver for long on a document and interrupts it.
+fn interrupted(document: &str, arguments: &[&str]) -> (crate::Ran, Duration) {
+    let mut child = command(arguments).spawn().unwrap();
+    child.stdin.take().unwrap().write_all(document.as_bytes()).unwrap();
+    // Asked again and again, so that it does not matter when the handler is set: until it is, the
+    // signal would end the process, so the first one is sent once the work is under way.
+    let under_way = Instant::now() + Duration::from_millis(1500);
+    while Instant::now() < under_way {
+        assert!(child.try_wait().unwrap().is_none(), "the work should take longer than this");
+        std::thread::yield_now();
+    }
+    let begin = Instant::now();
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(kill.success());
+    (ran(child.wait_with_output().unwrap()), begin.elapsed())
+}
+
+#[test]
+fn the_exact_solver_keeps_its_best_plan() {
+    let size = ["--width", "200", "--height", "200", "--goals", "12"];
+    let grid = mo_copp("", &[&["generate", "gridworld", "--seed", "1"][..], &size].concat()).out;
+    let (ran, took) = interrupted(&grid, &["solve", "-", "--json"]);
+    assert_eq!(ran.json()["limit"], "stopped on request", "{}{}", ran.out, ran.err);
+    let status = ran.json()["status"].as_str().unwrap().to_owned();
+    assert_eq!(
+        (status.as_str(), ran.code),
+        if ran.json()["plan"].is_null() { ("limit", 3) } else { ("feasible", 0) }
+    );
+    assert!(took < Duration::from_secs(30), "{took:?}");
+}
+
+#[test]
+fn an_integer_program_in_its_root_is_left_behind() {
+    let grid = mo_copp("", &["generate", "gridworld", "--seed", "1"]).out;
+    let options =
+        ["solve", "-", "--json", "--solver", "ip", "--encoding", "paper", "--horizon", "14"];
+    let (ran, took) = interrupted(&grid, &options);
+    assert_eq!(ran.json()["limit"], "stopped on request", "{}{}", ran.out, ran.err);
+    assert!(matches!(ran.code, 0 | 3), "{}", ran.code);
+    assert!(took < Duration::from_secs(30), "{took:?}");
+}

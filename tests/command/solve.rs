@@ -1,0 +1,152 @@
+//! `mo-copp solve`
+
+use serde_json::json;
+
+use crate::{DELIVERY, EXPLICIT, GRID, mo_copp};
+
+#[test]
+fn json_has_the_fields_of_the_contract() {
+    let ran = mo_copp(EXPLICIT, &["solve", "-", "--solver", "exact", "--horizon", "1", "--json"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let json = ran.json();
+    assert_eq!(json["status"], "optimal");
+    assert_eq!(json["solver"], "exact");
+    assert_eq!(json["horizon"], 1);
+    assert_eq!(json["plan"], json!(["a"]));
+    assert_eq!(json["goals"], json!({"adversarial": ["G1", "G2"], "cooperative": ["G1"]}));
+    assert_eq!(json["goal_difference"], 1.0);
+    assert!(json["stats"]["expansions"].as_u64().is_some());
+    assert!(json["stats"]["seconds"].as_f64().unwrap() >= 0.0);
+    assert!(json.get("pareto").is_none());
+}
+
+#[test]
+fn every_solver_answers_the_delivery() {
+    let all: &[&[&str]] = &[
+        &["--solver", "exact"],
+        &["--solver", "exact", "--horizon", "3"],
+        &["--solver", "exact", "--horizon", "any", "--pareto"],
+        &["--solver", "ip"],
+        &["--solver", "ip", "--encoding", "paper", "--horizon", "3"],
+        &["--solver", "ip", "--encoding", "belief-flow", "--horizon", "3"],
+        &["--solver", "search", "--k", "2", "--j", "2"],
+        &["--solver", "baseline"],
+        &["--solver", "obfuscate", "--k", "3"],
+        &["--solver", "legible", "--j", "3"],
+    ];
+    for options in all {
+        let ran = mo_copp(DELIVERY, &[&["solve", "-", "--json"], *options].concat());
+        assert_eq!(ran.code, 0, "{options:?}: {}", ran.err);
+        let json = ran.json();
+        let expected = if matches!(options[1], "exact" | "ip") { "optimal" } else { "solved" };
+        assert_eq!(json["status"], expected, "{options:?}");
+        assert_eq!(json["goal_difference"], 1.0, "{options:?}");
+        assert_eq!(json["goals"]["cooperative"], json!(["a1+a2"]), "{options:?}");
+        assert_eq!(json["horizon"], 3, "{options:?}");
+    }
+}
+
+#[test]
+fn one_package_from_each_factory_is_worth_two_fifths() {
+    let mixed = DELIVERY.replace("\"a1+a2\"", "\"b1+a1\"");
+    let ran = mo_copp(&mixed, &["solve", "-", "--json"]);
+    assert_eq!(ran.json()["goal_difference"], 0.4);
+    assert_eq!(ran.json()["goals"]["adversarial"].as_array().unwrap().len(), 6);
+}
+
+#[test]
+fn pareto_lists_the_pairs_sorted() {
+    let grid = mo_copp("", &["generate", "gridworld", "--seed", "3"]).out;
+    let json = mo_copp(&grid, &["solve", "-", "--pareto", "--json"]).json();
+    let pairs: Vec<(u64, u64)> = json["pareto"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|p| (p["adversarial"].as_u64().unwrap(), p["cooperative"].as_u64().unwrap()))
+        .collect();
+    assert!(pairs.len() > 1, "{pairs:?}");
+    assert!(pairs.windows(2).all(|pair| pair[0] < pair[1]), "{pairs:?}");
+    let best = pairs.iter().map(|&(x, c)| (x as f64 - c as f64) / 2.0).fold(-1.0, f64::max);
+    assert_eq!(json["goal_difference"].as_f64().unwrap(), best);
+}
+
+#[test]
+fn no_plan_is_exit_code_1_and_null() {
+    for options in [
+        &["--horizon", "0"][..],
+        &["--solver", "ip", "--horizon", "0"],
+        &["--solver", "ip", "--encoding", "paper", "--horizon", "13"],
+        &["--solver", "search", "--horizon", "13", "--k", "1"],
+        &["--solver", "baseline", "--horizon", "13"],
+        &["--forbid", "adversarial:G1"],
+    ] {
+        let ran = mo_copp(GRID, &[&["solve", "-", "--json"], options].concat());
+        assert_eq!(ran.code, 1, "{options:?}: {}", ran.err);
+        let json = ran.json();
+        assert_eq!(json["status"], "infeasible", "{options:?}");
+        for key in ["plan", "goals", "goal_difference"] {
+            assert!(json[key].is_null(), "{options:?}: {key}");
+        }
+        let ran = mo_copp(GRID, &[&["solve", "-"], options].concat());
+        assert!(ran.out.starts_with("infeasible: there is no such plan"), "{}", ran.out);
+    }
+}
+
+#[test]
+fn a_horizon_without_a_plan_is_raised() {
+    let options = ["solve", "-", "--json", "--horizon", "12", "--horizon-step", "1"];
+    let ran = mo_copp(GRID, &[&options[..], &["--solver", "ip"]].concat());
+    assert_eq!(ran.json()["horizon"], 14);
+    let ran = mo_copp(GRID, &[&options[..], &["--solver", "exact"]].concat());
+    assert_eq!(ran.json()["horizon"], 14);
+    let ran = mo_copp(GRID, &[&options[..], &["--horizon-limit", "13"]].concat());
+    assert_eq!((ran.code, ran.json()["status"].as_str()), (3, Some("limit")), "{}", ran.out);
+}
+
+#[test]
+fn bounds_and_named_goals_are_kept() {
+    let bounds = ["--require", "adversarial:G2", "--forbid", "cooperative:G2"];
+    let ran = mo_copp(EXPLICIT, &[&["solve", "-", "--json"][..], &bounds].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert_eq!(ran.json()["goals"]["adversarial"], json!(["G1", "G2"]));
+    assert_eq!(ran.json()["goals"]["cooperative"], json!(["G1"]));
+    for bounds in [["--forbid", "adversarial:G2"], ["--require", "cooperative:G2"]] {
+        let ran = mo_copp(EXPLICIT, &[&["solve", "-", "--json"][..], &bounds].concat());
+        assert_eq!(ran.code, 1, "{bounds:?}: {}", ran.out);
+    }
+}
+
+#[test]
+fn limits_are_named_and_exit_with_3() {
+    let ran = mo_copp(GRID, &["solve", "-", "--json", "--memory-limit", "0"]);
+    assert_eq!(ran.code, 3, "{}", ran.out);
+    assert_eq!(ran.json()["status"], "limit");
+    assert!(ran.json()["limit"].as_str().unwrap().starts_with("memory limit reached: 0 MiB"));
+    let ran = mo_copp(
+        GRID,
+        &["solve", "-", "--solver", "search", "--k", "3", "--j", "1", "--expansion-limit", "2"],
+    );
+    assert_eq!(ran.code, 3, "{}", ran.out);
+    assert!(ran.out.contains("expansion limit reached: 2"), "{}", ran.out);
+}
+
+#[test]
+fn options_that_are_not_used_are_said() {
+    let ran = mo_copp(GRID, &["solve", "-", "--solver", "baseline", "--k", "2"]);
+    assert_eq!(ran.code, 0);
+    assert_eq!(ran.err, "mo-copp: note: --k is not used by the solver baseline\n");
+}
+
+#[test]
+fn the_text_says_what_was_proved_and_who_believes_what() {
+    let ran = mo_copp(DELIVERY, &["solve", "-"]);
+    let expected = "\
+optimal: no plan of any length has a greater goal difference
+plan: 3 actions
+  load a1, load a2, deliver
+goal difference: 1.000
+  the enemy (adversarial) holds 6 of 6 goals possible: a1+a2, a1+b1, a1+b2, a2+b1, a2+b2, b1+b2
+  the friend (cooperative) holds 1 of 6 goals possible: a1+a2
+work: ";
+    assert!(ran.out.starts_with(expected), "{}", ran.out);
+}

@@ -1,0 +1,70 @@
+//! `mo-copp trace`
+
+use std::io::Write;
+
+use serde_json::json;
+
+use crate::{DELIVERY, EXPLICIT, GRID, mo_copp};
+
+#[test]
+fn json_has_the_fields_of_the_contract() {
+    let ran = mo_copp(EXPLICIT, &["trace", "-", "--plan", "a", "--json"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert_eq!(
+        ran.json(),
+        json!({"valid": true, "goal_difference": 1.0, "steps": [
+            {"action": null, "state": "s0", "symbols": {"adversarial": null, "cooperative": null},
+             "beliefs": {"adversarial": ["s0"], "cooperative": ["s0"]},
+             "goals": {"adversarial": [], "cooperative": []}, "goal_difference": 0.0},
+            {"action": "a", "state": "s1", "symbols": {"adversarial": "moved", "cooperative": "a"},
+             "beliefs": {"adversarial": ["s1", "s2"], "cooperative": ["s1"]},
+             "goals": {"adversarial": ["G1", "G2"], "cooperative": ["G1"]}, "goal_difference": 1.0}]})
+    );
+}
+
+#[test]
+fn grid_states_are_cells_and_others_facts() {
+    let ran = mo_copp(GRID, &["trace", "-", "--plan", "north", "--json"]);
+    let json = ran.json();
+    assert_eq!(json["steps"][1]["state"], json!([0, 6]));
+    assert_eq!(json["steps"][1]["beliefs"]["cooperative"], json!([[0, 6], [1, 7]]));
+    assert_eq!((ran.code, &json["valid"]), (1, &json!(false)), "it ends off the goal");
+    let ran = mo_copp(DELIVERY, &["trace", "-", "--plan", "load a1", "--json"]);
+    let facts = &ran.json()["steps"][1]["state"];
+    assert!(facts.as_array().unwrap().contains(&json!("a1 in the truck")), "{facts}");
+}
+
+#[test]
+fn a_plan_file_has_one_action_a_line() {
+    let path = std::env::temp_dir().join(format!("mo-copp-plan-{}", std::process::id()));
+    let mut file = std::fs::File::create(&path).unwrap();
+    writeln!(file, "load a1\r\nload b1\n\ndeliver").unwrap();
+    let name = path.to_str().unwrap();
+    let ran = mo_copp(DELIVERY, &["trace", "-", "--plan-file", name, "--json"]);
+    std::fs::remove_file(&path).unwrap();
+    // One package from each factory, seen from the other true goal.
+    assert_eq!(ran.json()["goal_difference"], 0.4);
+    assert_eq!(ran.json()["valid"], false);
+}
+
+#[test]
+fn the_text_shows_each_step() {
+    let ran = mo_copp(EXPLICIT, &["trace", "-", "--plan", "a"]);
+    let expected = "\
+start: s0
+  adversarial: 1 state (s0); goals left: none
+  cooperative: 1 state (s0); goals left: none
+step 1: a to s1
+  adversarial: saw moved, 2 states (s1 s2); goals left: G1, G2
+  cooperative: saw a, 1 state (s1); goals left: G1
+the plan reaches the true goal G1
+goal difference: 1.000
+";
+    assert_eq!(ran.out, expected);
+}
+
+#[test]
+fn an_empty_plan_is_the_start() {
+    let ran = mo_copp(EXPLICIT, &["trace", "-", "--plan", "", "--json"]);
+    assert_eq!(ran.json()["steps"].as_array().unwrap().len(), 1);
+}

@@ -1,0 +1,35 @@
+//! README, CHANGELOG and licences.
+
+use crate::read;
+
+#[test]
+fn the_readme_begins_with_the_two_commands() {
+    let readme = read("README.md");
+    let place = |text: &str| readme.find(text).unwrap_or_else(|| panic!("no {text}"));
+    assert!(place("\nnpm start") < place("\n## "), "npm start stands before the first chapter");
+    assert!(place("\nnpm test") < place("\n## "), "npm test stands before the first chapter");
+}
+
+#[test]
+fn every_option_of_the_command_is_in_the_readme_or_its_help() {
+    let readme = read("README.md");
+    for command in ["solve", "trace", "encode", "generate"] {
+        assert!(readme.contains(&format!("mo-copp {command}")), "no word of {command}");
+    }
+    for solver in mo_copp::solver::Solver::ALL {
+        assert!(readme.contains(solver.name()), "no word of {}", solver.name());
+    }
+}
+
+#[test]
+fn versions_agree() {
+    let version = env!("CARGO_PKG_VERSION");
+    assert!(read("CHANGELOG.md").contains(&format!("## [{version}]")), "{version} in CHANGELOG.md");
+    assert!(read("package.json").contains(&format!("\"version\": \"{version}\"")), "package.json");
+}
+
+#[test]
+fn both_licences_are_there() {
+    assert!(read("LICENSE-MIT").contains("Permission is hereby granted, free of charge"));
+    assert!(read("LICENSE-APACHE").contains("Apache License"));
+}
