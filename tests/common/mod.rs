@@ -1,0 +1,17 @@
+//! What the tests share: problems as plain tables, oracles that follow the definitions and share
+//! nothing with the crate, and generators.
+
+pub mod check;
+pub mod delivery;
+pub mod dice;
+pub mod gridworld;
+pub mod oracle;
+pub mod printed;
+pub mod random;
+pub mod strips;
+pub mod table;
+
+pub use check::{Judge, solve};
+pub use dice::Dice;
+pub use oracle::Wish;
+pub use table::Table;

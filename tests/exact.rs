@@ -1,0 +1,104 @@
+//! Exact search against plain enumeration of every plan, and against the closure of every
+//! situation.
+
+use std::collections::BTreeMap;
+
+use mo_copp::solver::{Options, Outcome, Solver, Status};
+
+use crate::common::random::{self, MEDIUM, PAIR};
+use crate::common::{Dice, Judge, Wish, oracle};
+
+/// Pairs of counts with the shortest plan for each.
+fn pairs(
+    judge: &Judge,
+    endings: &BTreeMap<Vec<u32>, usize>,
+    wish: &Wish,
+) -> BTreeMap<(usize, usize), usize> {
+    let mut pairs = BTreeMap::new();
+    for (ending, &length) in endings {
+        if wish.allows(&judge.table, ending) {
+            let shortest = pairs.entry(judge.table.counts(ending)).or_insert(length);
+            *shortest = length.min(*shortest);
+        }
+    }
+    pairs
+}
+
+/// The reported pairs with the lengths of their plans, each plan replayed.
+fn reported(judge: &Judge, outcome: &Outcome, wish: &Wish) -> BTreeMap<(usize, usize), usize> {
+    let points = outcome.pareto.as_ref().unwrap();
+    assert!(points.is_sorted_by(|a, b| a.counts < b.counts));
+    let mut pairs = BTreeMap::new();
+    for point in points {
+        let ending = judge.ending(&point.plan);
+        let counts = (point.counts.adversarial, point.counts.cooperative);
+        assert_eq!(judge.table.counts(&ending), counts);
+        assert!(wish.allows(&judge.table, &ending));
+        pairs.insert(counts, point.plan.len());
+    }
+    pairs
+}
+
+fn check_best(judge: &Judge, options: &Options, outcome: &Outcome, wish: &Wish, best: Option<i64>) {
+    let ending = judge.check(options, outcome, wish);
+    assert_eq!(ending.map(|ending| oracle::difference(&judge.table, &ending)), best);
+    let status = if best.is_some() { Status::Optimal } else { Status::Infeasible };
+    assert_eq!(outcome.status, status);
+}
+
+/// Exact search at a horizon: the best difference and the pairs of every plan there is.
+pub fn equals_enumeration(judge: &Judge, horizon: usize, wish: &Wish) {
+    let endings = oracle::enumerate(&judge.table, horizon);
+    let mut options = Judge::options(Solver::Exact, Some(horizon), wish);
+    let best = oracle::best(&judge.table, &endings, wish);
+    check_best(judge, &options, &judge.solve(&options), wish, best);
+    options.pareto = true;
+    let outcome = judge.solve(&options);
+    check_best(judge, &options, &outcome, wish, best);
+    let lengths = endings.into_iter().map(|ending| (ending, horizon)).collect();
+    assert_eq!(reported(judge, &outcome, wish), pairs(judge, &lengths, wish));
+}
+
+/// Exact search over all lengths: the best difference, a shortest plan for it, the pairs and a
+/// shortest plan for each.
+pub fn equals_closure(judge: &Judge, wish: &Wish) {
+    let endings = judge.endings();
+    let expected = pairs(judge, endings, wish);
+    let best = oracle::best(&judge.table, endings.keys(), wish);
+    let mut options = Judge::options(Solver::Exact, None, wish);
+    for pareto in [false, true] {
+        options.pareto = pareto;
+        let outcome = judge.solve(&options);
+        check_best(judge, &options, &outcome, wish, best);
+        if pareto {
+            assert_eq!(reported(judge, &outcome, wish), expected);
+        }
+        let with_best =
+            |((x, c), _): &(&(usize, usize), &usize)| Some(*x as i64 - *c as i64) == best;
+        let shortest = expected.iter().filter(with_best).map(|(_, &length)| length).min();
+        assert_eq!(outcome.plan.map(|plan| plan.len()), shortest);
+    }
+}
+
+#[test]
+fn at_a_horizon_equals_the_enumeration_of_all_plans() {
+    let mut dice = Dice::new(1);
+    for number in 0..12_000 {
+        let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
+        let horizon = random::horizon(&mut dice, &judge.table, 1100);
+        let wish =
+            if number % 3 == 0 { Wish::default() } else { random::wish(&mut dice, &judge.table) };
+        equals_enumeration(&judge, horizon, &wish);
+    }
+}
+
+#[test]
+fn over_all_lengths_equals_the_closure_of_all_situations() {
+    let mut dice = Dice::new(2);
+    for number in 0..12_000 {
+        let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
+        let wish =
+            if number % 3 == 0 { Wish::default() } else { random::wish(&mut dice, &judge.table) };
+        equals_closure(&judge, &wish);
+    }
+}
