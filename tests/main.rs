@@ -6,3 +6,6 @@
 mod common;
 
 mod exact;
+mod integer_programs;
+mod regressions;
+mod search;
