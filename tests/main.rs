@@ -5,7 +5,9 @@
 
 mod common;
 
+mod beliefs;
 mod exact;
 mod integer_programs;
 mod regressions;
 mod search;
+mod set_additive;
