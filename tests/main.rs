@@ -6,6 +6,7 @@
 mod common;
 
 mod beliefs;
+mod corrections;
 mod exact;
 mod integer_programs;
 mod regressions;
