@@ -7,8 +7,12 @@ mod common;
 
 mod beliefs;
 mod corrections;
+mod domains;
 mod exact;
+mod highs;
 mod integer_programs;
+mod observers;
 mod regressions;
 mod search;
 mod set_additive;
+mod stopping;
