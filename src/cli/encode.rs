@@ -1,4 +1,4 @@
-//! `mo-copp encode`
+//! `mo-copp encode`: prints an integer program.
 
 use std::sync::Arc;
 

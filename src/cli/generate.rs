@@ -1,4 +1,4 @@
-//! `mo-copp generate`
+//! `mo-copp generate`: prints a random document.
 
 use mo_copp::domain::Document;
 use mo_copp::domain::delivery::DeliveryShape;

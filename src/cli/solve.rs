@@ -1,4 +1,4 @@
-//! `mo-copp solve`
+//! `mo-copp solve`: reads a problem, runs a solver, prints the outcome.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! `mo-copp trace`
+//! `mo-copp trace`: replays a plan and prints each step.
 
 use std::fmt::Write;
 

@@ -19,17 +19,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("heuristic", &["belief", "problem", "task"]),
     (
         "solver",
-        &[
-            "belief",
-            "goal_difference",
-            "heuristic",
-            "limits",
-            "plan",
-            "problem",
-            "sensor",
-            "task",
-            "trace",
-        ],
+        &["belief", "goal_difference", "heuristic", "limits", "plan", "problem", "task", "trace"],
     ),
     ("report", &["document", "domain", "goal_difference", "problem", "solver", "trace"]),
     ("bindings", &["document", "domain", "plan", "problem", "report", "solver", "trace"]),
