@@ -53,7 +53,8 @@ impl fmt::Display for Json {
             Self::Null => f.write_str("null"),
             Self::Bool(value) => write!(f, "{value}"),
             Self::Integer(value) => write!(f, "{value}"),
-            Self::Float(value) => write!(f, "{value}"),
+            // A whole number written as 8.0 must not look like 8, nor 1e300 take 301 digits.
+            Self::Float(value) => write!(f, "{value:?}"),
             Self::Text(text) => write!(f, "{}", quoted(text)),
             Self::Array(items) => {
                 f.write_str("[")?;

@@ -58,6 +58,9 @@ pub(super) fn true_goal(names: &[&str], true_goal: &str) -> Result<usize, Docume
 /// Names for a message, the first few of many.
 pub(super) fn listed(names: &[&str]) -> String {
     const SHOWN: usize = 8;
+    if names.is_empty() {
+        return "(none)".to_owned();
+    }
     let mut shown: Vec<&str> = names.iter().take(SHOWN).copied().collect();
     if names.len() > SHOWN {
         shown.push("…");

@@ -107,7 +107,8 @@ impl Delivery {
     fn goal_sets(&self, packages: &[Package<'_>]) -> Result<Vec<Vec<usize>>, DocumentError> {
         let size = self.deliver as usize;
         let mut count = 1_usize;
-        for taken in 0..size {
+        // As many ways to leave behind as to take along; the smaller number only ever grows.
+        for taken in 0..size.min(packages.len() - size) {
             count = count.saturating_mul(packages.len() - taken) / (taken + 1);
             if count > MAX_GOALS * packages.len() {
                 break;
