@@ -102,10 +102,7 @@ fn a_symbol_covers_actions_that_only_other_states_allow() {
 fn plans_that_cannot_be_carried_out() {
     let problem = corridor();
     let error = Plan::from_names(problem.task(), &["go", "fly"]).unwrap_err().to_string();
-    assert_eq!(
-        error,
-        "step 2: \"fly\" is no action of this problem; expected one of go, jump, wait"
-    );
+    assert_eq!(error, "step 2: found \"fly\", expected an action of this problem: go, jump, wait");
     let plan = Plan::from_names(problem.task(), &["go", "jump"]).unwrap();
     let error = trace(&problem, &plan).unwrap_err().to_string();
     assert!(error.starts_with("step 2: jump is not applicable in s1"), "{error}");

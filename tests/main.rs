@@ -7,6 +7,7 @@ mod common;
 
 mod beliefs;
 mod corrections;
+mod documents;
 mod domains;
 mod exact;
 mod highs;

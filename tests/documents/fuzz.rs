@@ -1,0 +1,169 @@
+//! Nothing that anybody writes makes the program panic.
+
+use std::sync::Arc;
+
+use mo_copp::domain::Document;
+use mo_copp::solver::{Horizon, Options, Run, Solver};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed, TestRunner};
+use serde_json::{Value, json};
+
+use super::delivery::DELIVERY;
+use super::explicit::EXPLICIT;
+use super::gridworld::GRIDWORLD;
+
+fn runner(seed: u64, cases: u32) -> TestRunner {
+    let rng_seed = RngSeed::Fixed(seed);
+    TestRunner::new(Config { cases, rng_seed, failure_persistence: None, ..Config::default() })
+}
+
+/// Reads, makes the problem and works a little on it; true when it was a document.
+fn survives(text: &str) -> bool {
+    let Ok(document) = Document::parse(text) else { return false };
+    assert_eq!(Document::parse(&document.to_json()).as_ref(), Ok(&document));
+    let Ok(problem) = document.problem() else { return false };
+    let problem = Arc::new(problem);
+    for solver in Solver::ALL {
+        let mut options = Options::new(solver);
+        options.limits.expansions = 50;
+        options.limits.nonzeros = 5000;
+        if solver == Solver::Ip {
+            options.horizon = Horizon::Steps(2);
+        }
+        let mut run = Run::new(Arc::clone(&problem), options).unwrap();
+        for _ in 0..20 {
+            if run.advance(10).unwrap() {
+                break;
+            }
+        }
+        run.outcome().unwrap();
+    }
+    true
+}
+
+fn base() -> impl Strategy<Value = &'static str> {
+    prop::sample::select(vec![GRIDWORLD, EXPLICIT, DELIVERY])
+}
+
+#[test]
+fn random_bytes() {
+    runner(1, 5000)
+        .run(&prop::collection::vec(any::<u8>(), 0..200), |bytes| {
+            survives(&String::from_utf8_lossy(&bytes));
+            Ok(())
+        })
+        .unwrap();
+}
+
+#[test]
+fn random_pieces_of_documents() {
+    let piece = prop::sample::select(vec![
+        "{",
+        "}",
+        "[",
+        "]",
+        ",",
+        ":",
+        "\"format\"",
+        "\"gridworld\"",
+        "\"explicit\"",
+        "\"goals\"",
+        "1",
+        "-1",
+        "1e400",
+        "null",
+        "true",
+        "\"\\u0000\"",
+        "\"observers\"",
+        " ",
+        "\n",
+    ]);
+    runner(2, 5000)
+        .run(&prop::collection::vec(piece, 0..40), |pieces| {
+            survives(&pieces.concat());
+            Ok(())
+        })
+        .unwrap();
+}
+
+/// Bytes of a valid document deleted, doubled or replaced.
+#[test]
+fn documents_with_changed_bytes() {
+    let edit = (any::<prop::sample::Index>(), 0..4_u8, any::<u8>());
+    let strategy = (base(), prop::collection::vec(edit, 1..4));
+    runner(3, 15_000)
+        .run(&strategy, |(base, edits)| {
+            let mut bytes = base.as_bytes().to_vec();
+            for (place, kind, byte) in edits {
+                let place = place.index(bytes.len());
+                match kind {
+                    0 => drop(bytes.remove(place)),
+                    1 => bytes.insert(place, bytes[place]),
+                    2 => bytes[place] = byte,
+                    _ => bytes.truncate(place.max(9)),
+                }
+            }
+            survives(&String::from_utf8_lossy(&bytes));
+            Ok(())
+        })
+        .unwrap();
+}
+
+/// Every place of a document: arrays and objects too.
+fn places(value: &Value, path: &str, found: &mut Vec<String>) {
+    found.push(path.to_owned());
+    match value {
+        Value::Array(items) => {
+            for (index, item) in items.iter().enumerate() {
+                places(item, &format!("{path}/{index}"), found);
+            }
+        }
+        Value::Object(entries) => {
+            for (key, item) in entries {
+                places(item, &format!("{path}/{key}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Values of a valid document replaced by others that fit or do not.
+#[test]
+fn documents_with_changed_values() {
+    let other = prop_oneof![
+        (-3_i64..12).prop_map(|number| json!(number)),
+        prop::sample::select(vec![
+            "s0", "s1", "s2", "a", "b", "G1", "G2", "a1", "b2", "a1+b2", "A", ""
+        ])
+        .prop_map(|text| json!(text)),
+        ((0..9_u8), (0..9_u8)).prop_map(|(column, row)| json!([column, row])),
+        prop::sample::select(vec![
+            json!(null),
+            json!(true),
+            json!([]),
+            json!({}),
+            json!(1e300),
+            json!(256),
+            json!(u64::MAX),
+            json!([[0, 7], [1, 1]]),
+            json!(["s0", "s1"]),
+            json!(["s0", "a", "s1"]),
+        ]),
+    ];
+    let strategy = (base(), prop::collection::vec((any::<prop::sample::Index>(), other), 1..3));
+    let made = std::cell::Cell::new(0);
+    runner(4, 25_000)
+        .run(&strategy, |(base, edits)| {
+            let mut document: Value = serde_json::from_str(base).unwrap();
+            for (place, other) in edits {
+                let mut all = Vec::new();
+                places(&document, "", &mut all);
+                let place = &all[place.index(all.len())];
+                *document.pointer_mut(place).unwrap() = other;
+            }
+            made.set(made.get() + usize::from(survives(&document.to_string())));
+            Ok(())
+        })
+        .unwrap();
+    assert!(made.get() > 400, "{}", made.get());
+}

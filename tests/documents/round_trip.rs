@@ -1,0 +1,84 @@
+//! A document written and read again is the same, and drawing is deterministic.
+
+use mo_copp::domain::delivery::DeliveryShape;
+use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::domain::{Delivery, Document};
+
+use super::delivery::DELIVERY;
+use super::explicit::EXPLICIT;
+use super::gridworld::GRIDWORLD;
+use crate::common::random::{self, MEDIUM, PAIR};
+use crate::common::{Dice, delivery, gridworld};
+
+fn returns(document: &Document) {
+    let text = document.to_json();
+    assert_eq!(&Document::parse(&text).unwrap(), document);
+    // And the text that it is written as stays.
+    assert_eq!(Document::parse(&text).unwrap().to_json(), text);
+}
+
+#[test]
+fn every_kind_of_document_returns() {
+    let mut dice = Dice::new(60);
+    for text in [GRIDWORLD, EXPLICIT, DELIVERY] {
+        returns(&Document::parse(text).unwrap());
+    }
+    assert_eq!(Document::parse(DELIVERY).unwrap(), Document::Delivery(Delivery::figure_1()));
+    for seed in 0..300 {
+        returns(&Document::Gridworld(gridworld::random(&mut dice, 5)));
+        returns(&Document::Delivery(delivery::random(&mut dice)));
+        let table = random::table(&mut dice, MEDIUM, &PAIR);
+        returns(&Document::parse(&table.document()).unwrap());
+        let shape = GridworldShape { walls: 5, ..GridworldShape::default() };
+        returns(&Document::Gridworld(shape.generate(seed).unwrap().document));
+        returns(&Document::Delivery(DeliveryShape::default().generate(seed).unwrap().document));
+    }
+}
+
+#[test]
+fn names_of_any_letters_return() {
+    let odd = "\u{0}\"\\\n\u{301}\u{1F600} ü+";
+    let text = EXPLICIT.replace("\"s0\"", &serde_json::to_string(odd).unwrap());
+    let document = Document::parse(&text).unwrap();
+    returns(&document);
+    let problem = document.problem().unwrap();
+    assert_eq!(problem.label(problem.task().initial_state().words()).to_string(), odd);
+}
+
+#[test]
+fn the_same_seed_draws_the_same_document() {
+    let mut different = 0;
+    for seed in 0..200 {
+        let shape = GridworldShape { width: 5, height: 4, goals: 3, walls: 6, belief: 4 };
+        let drawn = shape.generate(seed).unwrap();
+        assert_eq!(shape.generate(seed).unwrap(), drawn);
+        different += usize::from(shape.generate(seed + 1).unwrap().document != drawn.document);
+        let shape = DeliveryShape::default();
+        assert_eq!(shape.generate(seed).unwrap(), shape.generate(seed).unwrap());
+    }
+    assert!(different > 190);
+}
+
+#[test]
+fn shapes_that_make_no_sense() {
+    let error = |shape: GridworldShape| shape.generate(1).unwrap_err().to_string();
+    let shape = GridworldShape::default();
+    let side = "expected a whole number from 1 to 256";
+    assert_eq!(error(GridworldShape { width: 0, ..shape }), format!("width: found 0, {side}"));
+    let huge = GridworldShape { height: 100_000, ..shape };
+    assert_eq!(error(huge), format!("height: found 100000, {side}"));
+    let found = error(GridworldShape { goals: 1, ..shape });
+    assert_eq!(found, "goals: found 1, expected a whole number from 2 to 63");
+    let found = error(GridworldShape { walls: 61, ..shape });
+    assert_eq!(found, "walls: found 61, expected a whole number from 0 to 60");
+    let found = error(GridworldShape { walls: 60, belief: 5, ..shape });
+    assert_eq!(found, "belief: found 5, expected a whole number from 1 to 4");
+    let error = |shape: DeliveryShape| shape.generate(1).unwrap_err().to_string();
+    let shape = DeliveryShape::default();
+    let found = error(DeliveryShape { factories: 27, ..shape });
+    assert_eq!(found, "factories: found 27, expected a whole number from 1 to 26");
+    let found = error(DeliveryShape { packages: 2, ..shape });
+    assert_eq!(found, "packages: found 2, expected a whole number from 3 to 64");
+    let found = error(DeliveryShape { deliver: 6, ..shape });
+    assert_eq!(found, "deliver: found 6, expected a whole number from 1 to 5");
+}
