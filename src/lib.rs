@@ -23,3 +23,8 @@ pub mod sensor;
 pub mod solver;
 pub mod task;
 pub mod trace;
+
+/// Runs the examples of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -7,7 +7,7 @@
 //!   with one of the bounds alone (obfuscate, legible),
 //! - [`approximation`] picks the approximate beliefs by which Algorithm 1 tells nodes apart.
 
-mod approximation;
-pub(super) mod baseline;
-mod engine;
-pub(super) mod search;
+pub mod approximation;
+pub mod baseline;
+pub mod engine;
+pub mod search;

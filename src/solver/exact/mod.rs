@@ -13,6 +13,6 @@
 //! Both find every reachable pair of survivor counts, which is more than the Pareto set the paper
 //! names and leaves out.
 
-pub(super) mod closure;
-pub(super) mod layers;
+pub mod closure;
+pub mod layers;
 mod pairs;

@@ -8,10 +8,10 @@
 //! - [`branch_and_bound`] solves it with microlp, in slices.
 
 pub mod belief_flow;
-mod branch_and_bound;
+pub mod branch_and_bound;
 pub mod lp_format;
 pub mod model;
-mod objective;
+pub mod objective;
 pub mod paper;
 
 use std::sync::Arc;
