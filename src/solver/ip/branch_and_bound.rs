@@ -18,6 +18,10 @@ use crate::solver::engine::{Advance, Engine, Finding, Halt};
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::solver::{Options, SolveError};
 
+/// Bytes that microlp keeps for an open node besides one for each variable and row: the changes of
+/// bounds on the way to it and its own fields.
+const BYTES_OF_A_NODE: u64 = 512;
+
 /// Slack when a bound on a whole number is rounded down.
 const ROUNDING: f64 = 1e-6;
 
@@ -133,6 +137,9 @@ impl IntegerProgram {
             return Ok(Advance::Finished(Finding::plan(Status::Optimal, plan.clone())));
         }
         self.state = State::Working(Box::new(outcome));
+        // No more nodes are open than have been solved, but for one.
+        let of_a_node = self.stats.variables + self.stats.rows + BYTES_OF_A_NODE;
+        self.limits.check_bytes(self.stats.nodes * of_a_node)?;
         if self.stats.nodes >= self.limits.nodes {
             return Err(LimitReached::Nodes { limit: self.limits.nodes }.into());
         }
