@@ -7,6 +7,10 @@ mod gridworld;
 mod json;
 mod round_trip;
 
+pub use delivery::DELIVERY;
+pub use explicit::EXPLICIT;
+pub use gridworld::GRIDWORLD;
+
 use mo_copp::domain::Document;
 use serde_json::Value;
 

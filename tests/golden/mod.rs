@@ -1,0 +1,133 @@
+//! Plans of every solver on a few documents, the same natively (here) and in wasm
+//! (`wasm-tests/main.rs`): `tests/golden/plans.json`.
+//!
+//! `MO_COPP_GOLDEN=write cargo test --test native golden` writes the file anew from the cases
+//! below. Look at the difference before it is committed; without the variable nothing is written.
+
+pub mod replay;
+
+use serde_json::{Value, json};
+
+use crate::documents::{DELIVERY, EXPLICIT, GRIDWORLD};
+
+const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/plans.json");
+
+/// Options of every solver, for plans of this length and of any.
+fn options(horizon: usize, paper: bool) -> Vec<Value> {
+    let mut options = vec![
+        json!({"solver": "exact", "horizon": horizon}),
+        json!({"solver": "exact", "horizon": horizon, "pareto": true}),
+        json!({"solver": "exact", "horizon": "any"}),
+        json!({"solver": "exact", "horizon": "any", "pareto": true, "j": 2}),
+        json!({"solver": "ip", "encoding": "belief-flow", "horizon": horizon}),
+        json!({"solver": "ip", "encoding": "belief-flow", "horizon": horizon, "k": 2, "j": 2}),
+        json!({"solver": "ip", "encoding": "belief-flow"}),
+        json!({"solver": "search", "k": 2, "j": 2}),
+        json!({"solver": "search", "k": 2, "j": 1}),
+        json!({"solver": "search", "horizon": horizon, "k": 2}),
+        json!({"solver": "baseline"}),
+        json!({"solver": "baseline", "horizon": horizon}),
+        json!({"solver": "obfuscate", "k": 2}),
+        json!({"solver": "legible", "j": 1}),
+    ];
+    if paper {
+        options.extend([
+            json!({"solver": "ip", "encoding": "paper", "horizon": horizon}),
+            json!({"solver": "ip", "encoding": "paper", "horizon": horizon, "k": 2, "j": 2}),
+            json!({"solver": "ip", "encoding": "paper", "horizon": horizon, "horizon_step": 1}),
+        ]);
+    }
+    options
+}
+
+/// Walls, stay, cameras and goals in one cell.
+const CAMERAS: &str = include_str!("grid.json");
+
+fn cases() -> Vec<Value> {
+    let mut cases = vec![
+        replay::case("the delivery of the paper", None, DELIVERY, &options(3, true)),
+        replay::case("the explicit example", None, EXPLICIT, &options(1, true)),
+        replay::case("the gridworld example", None, GRIDWORLD, &options(14, false)),
+        replay::case("cameras", None, CAMERAS, &options(6, false)),
+    ];
+    let named = [
+        json!({"solver": "exact", "require": [{"observer": "adversarial", "goal": "G2"}]}),
+        json!({"solver": "search", "forbid": [{"observer": "cooperative", "goal": "G3"}]}),
+        json!({"solver": "exact", "k": 3, "j": 1}),
+    ];
+    cases.push(replay::case("named goals", None, GRIDWORLD, &named));
+    for (format, seed, horizon, paper) in [
+        ("gridworld", 1, 12, false),
+        ("gridworld", 2, 13, false),
+        ("gridworld", 3, 12, false),
+        ("gridworld with walls", 4, 14, false),
+        ("small gridworld", 5, 4, true),
+        ("small gridworld", 6, 3, true),
+        ("delivery", 7, 3, false),
+        ("delivery", 8, 3, false),
+    ] {
+        let document = replay::draw(format, seed).to_json();
+        let name = format!("{format} {seed}");
+        let options = options(horizon, paper);
+        cases.push(replay::case(&name, Some((format, seed)), &document, &options));
+    }
+    cases
+}
+
+/// A line for the document and one for each answer.
+fn written(case: &Value) -> String {
+    let (name, document, runs) = (&case["name"], &case["document"], case["runs"].as_array());
+    let drawn = case.get("drawn").map(|drawn| format!("\"drawn\": {drawn},\n "));
+    let runs: Vec<String> = runs.unwrap().iter().map(|run| format!("  {run}")).collect();
+    format!(
+        "{{\"name\": {name}, {}\"document\": {document},\n \"runs\": [\n{}]}}",
+        drawn.unwrap_or_default(),
+        runs.join(",\n")
+    )
+}
+
+#[test]
+fn plans_are_the_golden_ones() {
+    if std::env::var("MO_COPP_GOLDEN").is_ok_and(|value| value == "write") {
+        let cases: Vec<String> = cases().iter().map(written).collect();
+        std::fs::write(FILE, format!("[\n{}\n]\n", cases.join(",\n"))).unwrap();
+    }
+    let golden = std::fs::read_to_string(FILE).unwrap();
+    assert!(replay::check(&golden) >= 180);
+}
+
+/// The file itself makes sense: every status occurs, and the integer programs and exact search
+/// agree wherever they were asked the same.
+#[test]
+fn golden_answers_agree_with_each_other() {
+    let golden: Vec<Value> = serde_json::from_str(&std::fs::read_to_string(FILE).unwrap()).unwrap();
+    let mut compared = 0;
+    let mut statuses = std::collections::BTreeSet::new();
+    for case in &golden {
+        let runs = case["runs"].as_array().unwrap();
+        for run in runs {
+            statuses.insert(run["answer"]["status"].as_str().unwrap());
+        }
+        let of = |solver: &str| {
+            let asked = move |run: &&Value| {
+                let options = run["options"].as_object().unwrap();
+                let plain = ["k", "j", "require", "forbid", "pareto", "horizon_step"];
+                options["solver"] == solver
+                    && options.get("horizon").is_some_and(Value::is_number)
+                    && !plain.iter().any(|key| options.contains_key(*key))
+            };
+            runs.iter().filter(asked).collect::<Vec<_>>()
+        };
+        for exact in of("exact") {
+            for program in of("ip") {
+                assert_eq!(exact["options"]["horizon"], program["options"]["horizon"]);
+                for key in ["status", "goal_difference", "horizon"] {
+                    assert_eq!(exact["answer"][key], program["answer"][key], "{}", case["name"]);
+                }
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared >= 15, "{compared}");
+    assert!(["optimal", "solved", "infeasible"].iter().all(|name| statuses.contains(name)));
+}

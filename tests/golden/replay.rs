@@ -1,0 +1,74 @@
+//! Solves what the golden file asks and compares. Shared by the native tests and those in wasm.
+
+use std::sync::Arc;
+
+use mo_copp::domain::delivery::DeliveryShape;
+use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::domain::{Delivery, Document, Gridworld};
+use mo_copp::report::{SolveReport, read_options};
+use mo_copp::solver::Run;
+use serde_json::{Value, json};
+
+/// The document drawn from a seed.
+pub fn draw(format: &str, seed: u64) -> Document {
+    let grid: fn(Gridworld) -> Document = Document::Gridworld;
+    let delivery: fn(Delivery) -> Document = Document::Delivery;
+    let shape = GridworldShape::default();
+    match format {
+        "gridworld" => grid(shape.generate(seed).unwrap().document),
+        "gridworld with walls" => {
+            let shape = GridworldShape { walls: 14, goals: 5, ..shape };
+            grid(shape.generate(seed).unwrap().document)
+        }
+        "small gridworld" => {
+            let shape = GridworldShape { width: 3, height: 3, goals: 3, walls: 1, belief: 3 };
+            grid(shape.generate(seed).unwrap().document)
+        }
+        "delivery" => delivery(DeliveryShape::default().generate(seed).unwrap().document),
+        _ => panic!("{format}"),
+    }
+}
+
+/// What `solve --json` says, but for what the work took.
+pub fn answer(document: &str, options: &Value) -> Value {
+    let problem = Arc::new(Document::parse(document).unwrap().problem().unwrap());
+    let options = read_options(&options.to_string(), &problem).unwrap();
+    let mut run = Run::new(Arc::clone(&problem), options).unwrap();
+    while !run.advance(100).unwrap() {}
+    let report = SolveReport::new(&problem, &run.outcome().unwrap());
+    let mut report = serde_json::to_value(report).unwrap();
+    report.as_object_mut().unwrap().remove("stats").unwrap();
+    report
+}
+
+/// Checks a golden file; returns how many answers it holds.
+pub fn check(golden: &str) -> usize {
+    let cases: Vec<Value> = serde_json::from_str(golden).unwrap();
+    let mut answers = 0;
+    for case in &cases {
+        let document = &case["document"];
+        if let Some(drawn) = case.get("drawn") {
+            let (format, seed) = (drawn["format"].as_str(), drawn["seed"].as_u64());
+            let drawn = draw(format.unwrap(), seed.unwrap()).to_json();
+            assert_eq!(&serde_json::from_str::<Value>(&drawn).unwrap(), document);
+        }
+        for run in case["runs"].as_array().unwrap() {
+            let found = answer(&document.to_string(), &run["options"]);
+            assert_eq!(found, run["answer"], "{} {}", case["name"], run["options"]);
+            answers += 1;
+        }
+    }
+    answers
+}
+
+/// A case of the golden file with the answers of today.
+pub fn case(name: &str, drawn: Option<(&str, u64)>, document: &str, options: &[Value]) -> Value {
+    let run = |options: &Value| json!({"options": options, "answer": answer(document, options)});
+    let runs: Vec<Value> = options.iter().map(run).collect();
+    let document: Value = serde_json::from_str(document).unwrap();
+    let mut case = json!({"name": name, "document": document, "runs": runs});
+    if let Some((format, seed)) = drawn {
+        case["drawn"] = json!({"format": format, "seed": seed});
+    }
+    case
+}

@@ -1,0 +1,158 @@
+//! The JavaScript API as JavaScript sees it.
+
+use js_sys::{Array, JSON, Reflect};
+use mo_copp::bindings::{Problem, Run};
+use mo_copp::domain::{Delivery, Document};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn delivery() -> Problem {
+    Problem::new(&Document::Delivery(Delivery::figure_1()).to_json()).unwrap()
+}
+
+/// A property, by a path such as `goals.adversarial.0`.
+fn get(value: &JsValue, path: &str) -> JsValue {
+    path.split('.').fold(value.clone(), |value, key| Reflect::get(&value, &key.into()).unwrap())
+}
+
+fn text(value: &JsValue, path: &str) -> String {
+    get(value, path).as_string().unwrap()
+}
+
+fn length(value: &JsValue, path: &str) -> u32 {
+    get(value, path).unchecked_into::<Array>().length()
+}
+
+fn solve(problem: &Problem, options: &str) -> Result<Run, JsValue> {
+    problem.solve(JSON::parse(options).unwrap().unchecked_into())
+}
+
+#[wasm_bindgen_test]
+fn a_bad_document_throws_its_place() {
+    let error = Problem::new(r#"{"format": "chess"}"#).unwrap_err();
+    assert!(error.is_instance_of::<js_sys::Error>());
+    assert_eq!(text(&error, "name"), "DocumentError");
+    assert_eq!(text(&error, "path"), "format");
+    assert_eq!(text(&error, "found"), "\"chess\"");
+    let message = text(&error, "message");
+    assert_eq!(message, format!("format: found \"chess\", expected {}", text(&error, "expected")));
+    let error = Problem::new("{\n  \"format\": ?}").unwrap_err();
+    assert_eq!(text(&error, "name"), "DocumentError");
+    assert_eq!(get(&error, "line").as_f64(), Some(2.0));
+    assert_eq!(get(&error, "column").as_f64(), Some(13.0));
+    assert!(get(&error, "path").is_undefined());
+}
+
+#[wasm_bindgen_test]
+fn every_solver_works_in_slices() {
+    let problem = delivery();
+    for (options, status) in [
+        (r#"{"solver": "exact"}"#, "optimal"),
+        (r#"{"solver": "exact", "horizon": 3, "pareto": true}"#, "optimal"),
+        (r#"{"solver": "ip"}"#, "optimal"),
+        (r#"{"solver": "ip", "encoding": "paper", "horizon": 3}"#, "optimal"),
+        (r#"{"solver": "search", "k": 6, "j": 1}"#, "solved"),
+        (r#"{"solver": "baseline"}"#, "solved"),
+        (r#"{"solver": "obfuscate", "k": 2}"#, "solved"),
+        (r#"{"solver": "legible", "j": 1}"#, "solved"),
+        (r#"{"solver": "exact", "horizon": 2}"#, "infeasible"),
+    ] {
+        let mut run = solve(&problem, options).unwrap();
+        while !run.advance(1).unwrap() {
+            let progress: JsValue = run.progress().unwrap().into();
+            assert!(get(&progress, "done").as_f64().is_some());
+            let unit = text(&progress, "unit");
+            assert!(unit == "nodes" || unit == "expansions");
+        }
+        let outcome: JsValue = run.outcome().unwrap().into();
+        assert_eq!(text(&outcome, "status"), status, "{options}");
+        assert!(get(&outcome, "stats.seconds").as_f64().is_some_and(|seconds| seconds >= 0.0));
+        if status == "infeasible" {
+            // Null, not undefined: what goes over a message channel keeps its shape.
+            assert!(get(&outcome, "plan").is_null() && get(&outcome, "goals").is_null());
+            assert!(get(&outcome, "goal_difference").is_null());
+            continue;
+        }
+        assert_eq!(get(&outcome, "goal_difference").as_f64(), Some(1.0));
+        assert_eq!(get(&outcome, "horizon").as_f64(), Some(3.0));
+        assert_eq!(length(&outcome, "goals.adversarial"), 6);
+        assert_eq!(text(&outcome, "goals.cooperative.0"), "a1+a2");
+        assert_eq!(length(&outcome, "plan"), 3);
+        let pareto = get(&outcome, "pareto");
+        assert_eq!(pareto.is_undefined(), !options.contains("pareto"));
+        if !pareto.is_undefined() {
+            assert_eq!(get(&outcome, "pareto.0.adversarial").as_f64(), Some(6.0));
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_stopped_run_says_so() {
+    let mut run = solve(&delivery(), r#"{"solver": "search"}"#).unwrap();
+    let outcome: JsValue = run.outcome().unwrap().into();
+    assert_eq!(text(&outcome, "status"), "limit");
+    assert_eq!(text(&outcome, "limit"), "stopped on request");
+    assert!(get(&outcome, "plan").is_null());
+}
+
+#[wasm_bindgen_test]
+fn options_that_do_not_fit_throw() {
+    let problem = delivery();
+    for (options, message) in [
+        (r#"{"solver": "exact", "k": 7}"#, "k: found 7, expected a whole number from 1 to 6"),
+        (
+            r#"{"solver": "exact", "width": 7}"#,
+            "document: found the unknown key \"width\", expected only solver, encoding, horizon, horizon_step, horizon_limit, k, j, require, forbid, pareto",
+        ),
+        (
+            r#"{"solver": "ip", "horizon": "any"}"#,
+            "horizon: found any, expected a number of steps for the integer program; the exact solver takes any",
+        ),
+        (
+            r#"{"solver": "chess"}"#,
+            "solver: found \"chess\", expected one of exact, ip, search, baseline, obfuscate, legible",
+        ),
+    ] {
+        let error = solve(&problem, options).unwrap_err();
+        assert_eq!(text(&error, "name"), "OptionsError");
+        assert_eq!(text(&error, "message"), message);
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_plan_is_traced() {
+    let problem = delivery();
+    let plan = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
+    let trace: JsValue = problem.trace(plan(&["load a1", "load b2", "deliver"])).unwrap().into();
+    assert_eq!(get(&trace, "valid").as_bool(), Some(false));
+    assert_eq!(length(&trace, "steps"), 4);
+    assert!(get(&trace, "steps.0.action").is_null());
+    assert!(get(&trace, "steps.0.symbols.adversarial").is_null());
+    assert_eq!(text(&trace, "steps.2.action"), "load b2");
+    assert_eq!(text(&trace, "steps.2.symbols.adversarial"), "package");
+    assert_eq!(text(&trace, "steps.2.symbols.cooperative"), "barcode B");
+    assert_eq!(length(&trace, "steps.3.beliefs.adversarial"), 6);
+    assert_eq!(length(&trace, "steps.3.beliefs.cooperative"), 4);
+    assert_eq!(get(&trace, "goal_difference").as_f64(), Some(0.4));
+    let error = problem.trace(plan(&["load a1", "load a1"])).map(|_| ()).unwrap_err();
+    assert_eq!(text(&error, "name"), "PlanError");
+    assert!(text(&error, "message").starts_with("step 2: "));
+}
+
+#[wasm_bindgen_test]
+fn states_and_scenes_have_the_shape_of_their_format() {
+    let grid = include_str!("../tests/golden/grid.json");
+    let problem = Problem::new(grid).unwrap();
+    let scene: JsValue = problem.scene().unwrap().into();
+    assert_eq!(text(&scene, "format"), "gridworld");
+    assert_eq!(get(&scene, "width").as_f64(), Some(4.0));
+    assert_eq!(get(&scene, "goals.0.cell.0").as_f64(), Some(3.0));
+    assert_eq!(text(&scene, "true_goal"), "east");
+    assert_eq!(text(&scene, "observers.0.role"), "adversarial");
+    let trace: JsValue = problem.trace(vec!["north".to_owned()]).unwrap().into();
+    assert_eq!(get(&trace, "steps.1.state.0").as_f64(), Some(0.0));
+    assert_eq!(get(&trace, "steps.1.state.1").as_f64(), Some(1.0));
+    let scene: JsValue = delivery().scene().unwrap().into();
+    assert_eq!(text(&scene, "format"), "delivery");
+    assert_eq!(length(&scene, "factories"), 2);
+}
