@@ -16,8 +16,11 @@ use crate::task::Action;
 /// How many nodes are expanded between two looks at the memory.
 const EXPANSIONS_BETWEEN_CHECKS: u64 = 64;
 
-/// When stopped early, this many nodes are followed to the goal at most.
+/// When stopped early, this many nodes are followed to the goal at most,
 const FINISHED_ON_STOP: usize = 256;
+/// and no more once so many believed states have been gone through: who stops does not want to
+/// wait.
+const STATES_ON_STOP: usize = 4_000_000;
 
 /// Exact search at a horizon.
 #[derive(Debug)]
@@ -89,13 +92,29 @@ impl Layers {
         pairs.finding(self.pareto, |index| self.tree.plan(index))
     }
 
-    /// Follows a node to the goal along the first live transitions.
-    fn follow(&mut self, index: usize) -> Result<Option<(i64, Plan)>, LimitReached> {
+    /// Follows a node to the goal along the first live transitions, as long as `room` for believed
+    /// states lasts.
+    fn follow(
+        &mut self,
+        index: usize,
+        room: &mut usize,
+    ) -> Result<Option<(i64, Plan)>, LimitReached> {
         let Some(live) = &self.live else { return Ok(None) };
         let mut plan = self.tree.plan(index);
         let mut node = self.tree.key(index);
         for step in plan.len()..self.horizon {
-            self.joint.expand(node, |state| live.contains(step + 1, state), &mut self.found)?;
+            self.joint.states_mut().expand(node.state);
+            let mut edges = self.joint.states().edges(node.state).iter();
+            let first = edges.find(|edge| live.contains(step + 1, edge.target));
+            let Some(target) = first.map(|edge| edge.target) else { return Ok(None) };
+            for observer in 0..self.joint.problem().observers().len() {
+                let belief = self.joint.belief(node.profile, observer);
+                *room = room.saturating_sub(self.joint.beliefs(observer).members(belief).len());
+            }
+            if *room == 0 {
+                return Ok(None);
+            }
+            self.joint.expand(node, |state| state == target, &mut self.found)?;
             let Some(&(action, next)) = self.found.first() else { return Ok(None) };
             plan.actions.push(action);
             node = next;
@@ -145,9 +164,10 @@ impl Engine for Layers {
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
         let mut best: Option<(i64, Plan)> = None;
+        let mut room = STATES_ON_STOP;
         let stride = self.layer.len().div_ceil(FINISHED_ON_STOP).max(1);
         for index in self.layer.clone().step_by(stride) {
-            let Ok(followed) = self.follow(index) else { break };
+            let Ok(followed) = self.follow(index, &mut room) else { break };
             if let Some((difference, plan)) = followed
                 && best.as_ref().is_none_or(|(known, _)| difference > *known)
             {
