@@ -22,6 +22,9 @@ use crate::solver::{Options, SolveError};
 /// bounds on the way to it and its own fields.
 const BYTES_OF_A_NODE: u64 = 512;
 
+/// How many nodes are solved between two looks at the memory; a slice ends there at the latest.
+const NODES_BETWEEN_CHECKS: u64 = 64;
+
 /// Slack when a bound on a whole number is rounded down.
 const ROUNDING: f64 = 1e-6;
 
@@ -108,7 +111,8 @@ impl IntegerProgram {
 
     fn slice(&mut self, encoded: &Encoded, budget: u64) -> Result<Advance, Halt> {
         let left = self.limits.nodes.saturating_sub(self.stats.nodes);
-        let nodes = budget.min(left).max(1);
+        let to_check = NODES_BETWEEN_CHECKS - self.stats.nodes % NODES_BETWEEN_CHECKS;
+        let nodes = budget.min(left).min(to_check).max(1);
         let solved = match std::mem::replace(&mut self.state, State::Done) {
             State::New => {
                 let (problem, _) = to_microlp(&encoded.model);
@@ -137,9 +141,11 @@ impl IntegerProgram {
             return Ok(Advance::Finished(Finding::plan(Status::Optimal, plan.clone())));
         }
         self.state = State::Working(Box::new(outcome));
-        // No more nodes are open than have been solved, but for one.
-        let of_a_node = self.stats.variables + self.stats.rows + BYTES_OF_A_NODE;
-        self.limits.check_bytes(self.stats.nodes * of_a_node)?;
+        if self.stats.nodes.is_multiple_of(NODES_BETWEEN_CHECKS) {
+            // No more nodes are open than have been solved, but for one.
+            let of_a_node = self.stats.variables + self.stats.rows + BYTES_OF_A_NODE;
+            self.limits.check_bytes(self.stats.nodes * of_a_node)?;
+        }
         if self.stats.nodes >= self.limits.nodes {
             return Err(LimitReached::Nodes { limit: self.limits.nodes }.into());
         }
