@@ -194,6 +194,20 @@ impl Options {
                 });
             }
         }
+        let observers = problem.observers().len();
+        let lists = [("require", &self.bounds.required), ("forbid", &self.bounds.forbidden)];
+        for (option, list) in lists {
+            for watched in list {
+                let positions =
+                    [("an observer", watched.observer, observers), ("a goal", watched.goal, goals)];
+                for (kind, found, count) in positions {
+                    if found >= count {
+                        let expected = format!("the position of {kind}, 0 to {}", count - 1);
+                        return Err(OptionsError { option, found: found.to_string(), expected });
+                    }
+                }
+            }
+        }
         let too_long = |steps: usize| steps > MAX_HORIZON;
         let horizon = match self.horizon {
             Horizon::Steps(steps) => steps,
