@@ -18,3 +18,4 @@ mod regressions;
 mod search;
 mod set_additive;
 mod stopping;
+mod validation;
