@@ -142,11 +142,9 @@ impl SetAdditive {
         if self.buckets.is_empty() {
             self.buckets.push(Vec::new());
         }
-        for fact in task.facts() {
-            if task.satisfies(words, &[fact]) {
-                self.value[fact.index()] = 0;
-                self.buckets[0].push(fact.index() as u32);
-            }
+        for fact in task.facts_of(words) {
+            self.value[fact.index()] = 0;
+            self.buckets[0].push(fact.index() as u32);
         }
         for index in 0..self.without_preconditions.len() {
             self.reach(self.without_preconditions[index]);

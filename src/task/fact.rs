@@ -44,6 +44,8 @@ struct Field {
 pub struct Layout {
     slots: Vec<Slot>,
     fields: Vec<Field>,
+    /// The facts of each group, in the order of their values.
+    groups: Vec<Vec<Fact>>,
     words: usize,
 }
 
@@ -85,7 +87,7 @@ impl Layout {
             }
             used += bits;
         }
-        Self { slots, fields, words: word as usize + 1 }
+        Self { slots, fields, groups: all, words: word as usize + 1 }
     }
 
     /// How many words a state has.
@@ -119,6 +121,15 @@ impl Layout {
     pub fn holds(&self, words: &[u64], fact: Fact) -> bool {
         let slot = self.slots[fact.index()];
         words[slot.word as usize] & slot.mask == slot.value
+    }
+
+    /// The facts that hold in a state, in order. Linear in the groups.
+    pub(crate) fn holding(&self, words: &[u64]) -> Vec<Fact> {
+        let value = |group| self.group_value(words, group).checked_sub(1);
+        let of_group = |(group, facts): (usize, &Vec<Fact>)| value(group).map(|v| facts[v]);
+        let mut holding: Vec<Fact> = self.groups.iter().enumerate().filter_map(of_group).collect();
+        holding.sort_unstable();
+        holding
     }
 
     /// Makes a fact hold, in place of any other of its group.

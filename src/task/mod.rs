@@ -120,9 +120,10 @@ impl Task {
         condition.iter().all(|&fact| self.layout.holds(words, fact))
     }
 
-    /// The facts that hold in a packed state, in order. Linear in the number of facts.
+    /// The facts that hold in a packed state, in order. Linear in the number of groups of facts
+    /// that exclude each other.
     pub fn facts_of(&self, words: &[u64]) -> Vec<Fact> {
-        self.facts().filter(|&fact| self.layout.holds(words, fact)).collect()
+        self.layout.holding(words)
     }
 
     /// Calls `visit` with every operator applicable in a packed state, in the order of their ids.
