@@ -1,0 +1,32 @@
+// What each kind of work needs, in the order it is looked at.
+import { ensureChromium } from "./chromium.mjs";
+import { ensureHighs } from "./highs.mjs";
+import { ensureNode } from "./node.mjs";
+import { ensureNpmPackages } from "./npm-packages.mjs";
+import { SetupError } from "./report.mjs";
+import { ensureRust, ensureRustLinters, ensureWasmTarget } from "./rust.mjs";
+import { ensureWasmBindgen } from "./wasm-bindgen.mjs";
+import { ensureWasmOpt } from "./wasm-opt.mjs";
+import { ensureWasmPack } from "./wasm-pack.mjs";
+
+const wasm = [ensureRust, ensureWasmTarget, ensureNpmPackages, ensureWasmPack, ensureWasmBindgen, ensureWasmOpt];
+
+export const needs = {
+  page: wasm,
+  lint: [...wasm, ensureRustLinters],
+  rust: [ensureRust, ensureHighs],
+  wasm,
+  browser: [...wasm, ensureChromium],
+};
+
+/** Sets up what the given kinds of work need; ends the process, saying why, where that can't be done. */
+export async function setUp(...kinds) {
+  console.log("Set-up");
+  try {
+    for (const ensure of new Set([ensureNode, ...kinds.flatMap((kind) => needs[kind])])) await ensure();
+  } catch (error) {
+    if (!(error instanceof SetupError)) throw error;
+    console.error(`\nSet-up stopped: ${error.message}\nWhat helps:     ${error.remedy}`);
+    process.exit(1);
+  }
+}

@@ -1,0 +1,161 @@
+// The page's side of the worker, with workers that do just what a test tells them.
+import assert from "node:assert/strict";
+import { beforeEach, mock, test } from "node:test";
+import type { Outcome, Progress, Trace } from "../../www/src/core.js";
+import { type Ending, SolverClient } from "../../www/src/worker/client.js";
+import type { Message, Reply } from "../../www/src/worker/protocol.js";
+
+class ScriptedWorker {
+  static all: ScriptedWorker[] = [];
+  readonly heard: Message[] = [];
+  ended = false;
+  onmessage: ((event: { data: Reply }) => void) | null = null;
+  onerror: ((event: { message: string; preventDefault(): void }) => void) | null = null;
+
+  constructor() {
+    ScriptedWorker.all.push(this);
+  }
+  postMessage(message: Message): void {
+    this.heard.push(message);
+  }
+  terminate(): void {
+    this.ended = true;
+  }
+  say(reply: Reply): void {
+    this.onmessage?.({ data: reply });
+  }
+  /** The newest one. */
+  static get last(): ScriptedWorker {
+    return ScriptedWorker.all.at(-1) ?? assert.fail("no worker was started");
+  }
+}
+Object.assign(globalThis, { Worker: ScriptedWorker });
+
+const solve = { kind: "solve", document: "{}", options: { solver: "exact" } } as const;
+const goals = { adversarial: ["G1", "G2"], cooperative: ["G1"] };
+const trace = { valid: true, steps: [{ goals, goal_difference: 1 }], goal_difference: 1 } as unknown as Trace;
+const outcome = { status: "optimal", plan: [] } as unknown as Outcome;
+const progress = (plan: string[] | null) => ({ solver: "exact", plan }) as unknown as Progress;
+
+beforeEach(() => {
+  ScriptedWorker.all = [];
+});
+
+test("a reply to an older request is dropped", async () => {
+  const client = new SolverClient();
+  const first = client.run(solve);
+  const second = client.run(solve);
+  assert.deepEqual(await first, { kind: "stale" });
+  ScriptedWorker.last.say({ kind: "solved", id: 1, outcome, trace: null });
+  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace });
+  assert.deepEqual(await second, { kind: "solved", id: 2, outcome, trace });
+  assert.equal(ScriptedWorker.all.length, 1);
+});
+
+test("progress is reported, of the current request alone", async () => {
+  const client = new SolverClient();
+  const seen: (string[] | null)[] = [];
+  void client.run(solve, ({ plan }) => seen.push(plan));
+  ScriptedWorker.last.say({ kind: "progress", id: 7, progress: progress(["west"]) });
+  ScriptedWorker.last.say({ kind: "progress", id: 1, progress: progress(["east"]) });
+  assert.deepEqual(seen, [["east"]]);
+});
+
+test("a cancel that is answered keeps the worker and its answer", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const client = new SolverClient();
+  const ending = client.run(solve);
+  client.cancel();
+  client.cancel();
+  assert.deepEqual(ScriptedWorker.last.heard.slice(1), [{ kind: "cancel", id: 1 }]);
+  ScriptedWorker.last.say({ kind: "solved", id: 1, outcome, trace });
+  mock.timers.tick(60_000);
+  assert.equal((await ending).kind, "solved");
+  assert.equal(ScriptedWorker.last.ended, false);
+  mock.timers.reset();
+});
+
+test("a cancel without an answer ends the worker; another replays the best plan reported", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const client = new SolverClient();
+  const ending = client.run(solve);
+  const deaf = ScriptedWorker.last;
+  deaf.say({ kind: "progress", id: 1, progress: progress(["east", "north"]) });
+  client.cancel();
+  mock.timers.tick(2000);
+  assert(deaf.ended);
+  const { heard } = ScriptedWorker.last;
+  assert.deepEqual(heard, [{ kind: "trace", id: 2, document: "{}", plan: ["east", "north"] }]);
+  ScriptedWorker.last.say({ kind: "traced", id: 2, trace });
+  assert.deepEqual(await ending, {
+    kind: "solved",
+    trace,
+    outcome: {
+      ...{ status: "feasible", solver: "exact", horizon: 2, plan: ["east", "north"] },
+      ...{ goals, goal_difference: 1, stats: {} },
+    },
+  });
+  mock.timers.reset();
+});
+
+test("a cancel without an answer and without a plan tells of a limit", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const client = new SolverClient();
+  const ending = client.run(solve);
+  client.cancel();
+  mock.timers.tick(2000);
+  const end = (await ending) as Extract<Ending, { kind: "solved" }>;
+  assert.equal(end.outcome.status, "limit");
+  assert.equal(end.trace, null);
+  mock.timers.reset();
+});
+
+test("a task that a busy worker does not take up goes to another worker", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const client = new SolverClient();
+  void client.run(solve);
+  const busy = ScriptedWorker.last;
+  busy.say({ kind: "ready" });
+  busy.say({ kind: "started", id: 1 });
+  mock.timers.tick(60_000);
+  assert.equal(busy.ended, false);
+  const newer = client.run(solve);
+  mock.timers.tick(2000);
+  assert(busy.ended);
+  assert.deepEqual(ScriptedWorker.last.heard, [{ ...solve, id: 2 }]);
+  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace });
+  assert.equal((await newer).kind, "solved");
+  mock.timers.reset();
+});
+
+test("a worker that is still loading is waited for", () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  void new SolverClient().run(solve);
+  mock.timers.tick(60_000);
+  assert.equal(ScriptedWorker.all.length, 1);
+  mock.timers.reset();
+});
+
+test("a panic ends the request and puts another worker in place", async () => {
+  const client = new SolverClient();
+  const ending = client.run(solve);
+  const broken = ScriptedWorker.last;
+  broken.say({ kind: "ready" });
+  broken.say({ kind: "broken", id: 1, message: "unreachable" });
+  assert.deepEqual(await ending, { kind: "lost", message: "unreachable" });
+  assert(broken.ended);
+  assert.equal(ScriptedWorker.all.length, 2);
+  const next = client.run(solve);
+  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace });
+  assert.equal((await next).kind, "solved");
+});
+
+test("a worker that never came up is not replaced over and over", async () => {
+  const client = new SolverClient();
+  const ending = client.run(solve);
+  ScriptedWorker.last.onerror?.({ message: "", preventDefault: () => undefined });
+  assert.deepEqual(await ending, { kind: "lost", message: "the solver could not be started" });
+  assert.equal(ScriptedWorker.all.length, 1);
+  void client.run(solve);
+  assert.equal(ScriptedWorker.all.length, 2);
+});

@@ -1,0 +1,88 @@
+// How the page looks and answers: narrow screens, both colour schemes, keyboard, and the usual barriers.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { AxeBuilder } from "@axe-core/playwright";
+import { visit } from "./support/browser.js";
+import { grid } from "./support/documents.js";
+import { press, statusIs, stepIs, useDocument } from "./support/playground.js";
+
+for (const width of [320, 360, 768]) {
+  test(`nothing runs off a screen ${width} pixels wide`, () =>
+    visit(
+      async ({ page }) => {
+        await statusIs(page, "optimal");
+        const long = "a-name-that-goes-on-and-on-".repeat(12);
+        for (const problem of [
+          null,
+          grid({
+            goals: [
+              { name: long, cell: [3, 0] },
+              { name: "G2", cell: [0, 0] },
+            ],
+            true_goal: long,
+          }),
+        ]) {
+          if (problem !== null) {
+            await useDocument(page, problem);
+            await page.locator("tr", { hasText: long }).waitFor();
+            await statusIs(page, "optimal");
+          }
+          const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+          assert(overflow <= 0, `${overflow} pixels too wide`);
+        }
+      },
+      { viewport: { width, height: 740 } },
+    ));
+}
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`axe finds no barrier, ${colorScheme}`, () =>
+    visit(
+      async ({ page }) => {
+        await statusIs(page, "optimal");
+        await page.getByText("The problem, as a document").click();
+        await press(page, "Back one step");
+        const { violations } = await new AxeBuilder({ page }).analyze();
+        assert.deepEqual(
+          violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]),
+          [],
+        );
+      },
+      { colorScheme, reducedMotion: "reduce" },
+    ));
+}
+
+test("the keyboard alone steps and solves, and shows where it is", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await page.keyboard.press("Tab");
+    const focus = await page.evaluate(() => {
+      const style = getComputedStyle(document.activeElement ?? document.body);
+      return {
+        label: document.activeElement?.getAttribute("aria-label"),
+        outline: Number.parseFloat(style.outlineWidth),
+      };
+    });
+    assert.equal(focus.label, "First step");
+    assert(focus.outline >= 2);
+    await page.keyboard.press("Enter");
+    await stepIs(page, 0);
+    await page.getByLabel("Plan length").focus();
+    await page.keyboard.type("3");
+    await page.keyboard.press("Enter");
+    await statusIs(page, "infeasible");
+  }));
+
+test("nothing moves by itself for those who asked for less motion", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      const moving = await page.evaluate(
+        () =>
+          [...document.querySelectorAll("*")].filter((part) => getComputedStyle(part).transitionDuration !== "0s")
+            .length,
+      );
+      assert.equal(moving, 0);
+    },
+    { reducedMotion: "reduce" },
+  ));

@@ -1,0 +1,17 @@
+// The core, run here in Node: what the page shows is held against its answers.
+import { readFileSync } from "node:fs";
+import init, { Problem } from "../../../www/pkg/mo_copp.js";
+import type { Outcome, SolveOptions, Trace } from "../../../www/src/core.js";
+
+const folder = new URL("../../../www/", import.meta.url);
+await init({ module_or_path: readFileSync(new URL("pkg/mo_copp_bg.wasm", folder)) });
+
+export const example: string = readFileSync(new URL("problems/eight-by-eight.json", folder), "utf8");
+
+export function solve(document: string, options: SolveOptions): { outcome: Outcome; trace: Trace } {
+  const problem = new Problem(document);
+  const run = problem.solve(options);
+  while (!run.advance(10_000));
+  const outcome = run.outcome();
+  return { outcome, trace: problem.trace(outcome.plan ?? []) };
+}

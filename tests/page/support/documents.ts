@@ -1,0 +1,93 @@
+// Problem documents for the tests.
+
+const sensor = {
+  adversarial: { north: "vertical", south: "vertical", east: "horizontal", west: "horizontal" },
+  cooperative: { north: "north-east", east: "north-east", south: "south-west", west: "south-west" },
+};
+
+/** A small open grid with two goals; parts of it can be set otherwise. */
+export function grid(change: Record<string, unknown> = {}): string {
+  return JSON.stringify({
+    format: "gridworld",
+    width: 4,
+    height: 3,
+    walls: [[1, 1]],
+    start: [0, 2],
+    goals: [
+      { name: "G1", cell: [3, 0] },
+      { name: "G2", cell: [0, 0] },
+    ],
+    true_goal: "G1",
+    stay: false,
+    observers: { adversarial: { sensor: sensor.adversarial }, cooperative: { sensor: sensor.cooperative } },
+    ...change,
+  });
+}
+
+/** So many beliefs that no exact search over plans of every length ends while a test waits. */
+export function endless(): string {
+  const size = 24;
+  const cells = Array.from({ length: size * size }, (_, index) => [index % size, Math.floor(index / size)]);
+  return grid({
+    width: size,
+    height: size,
+    walls: cells.filter(([column = 0, row = 0]) => (column * 7 + row * 3) % 11 === 5 && column % 3 === 1),
+    start: [0, 0],
+    goals: [
+      { name: "near", cell: [2, 0] },
+      { name: "far", cell: [size - 1, size - 1] },
+    ],
+    true_goal: "near",
+    observers: {
+      adversarial: {
+        initial_belief: [
+          [0, 0],
+          [0, 1],
+          [2, 3],
+          [5, 8],
+        ],
+        sensor: sensor.adversarial,
+      },
+      cooperative: {
+        initial_belief: [
+          [0, 0],
+          [3, 2],
+          [6, 6],
+        ],
+        sensor: sensor.cooperative,
+      },
+    },
+  });
+}
+
+export const explicit: string = JSON.stringify({
+  format: "explicit",
+  states: ["s0", "s1", "s2"],
+  actions: ["a", "b"],
+  transitions: [
+    ["s0", "a", "s1"],
+    ["s0", "b", "s2"],
+  ],
+  initial_state: "s0",
+  goals: [
+    { name: "G1", states: ["s1"] },
+    { name: "G2", states: ["s2"] },
+  ],
+  true_goal: "G1",
+  observers: {
+    adversarial: {
+      initial_belief: ["s0"],
+      sensor: [
+        ["a", "s1", "moved"],
+        ["b", "s2", "moved"],
+      ],
+    },
+    cooperative: {
+      initial_belief: ["s0"],
+      sensor: [
+        ["a", "s1", "a"],
+        ["b", "s2", "b"],
+      ],
+    },
+  },
+});

@@ -1,0 +1,8 @@
+import "./style/colours.css";
+import "./style/page.css";
+import "./style/board.css";
+import "./style/controls.css";
+import "./style/goals.css";
+import { MoCoppPlayground } from "./element/mo-copp-playground.js";
+
+customElements.define("mo-copp-playground", MoCoppPlayground);

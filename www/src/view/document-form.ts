@@ -1,0 +1,48 @@
+// The problem as its document: typed, pasted or read from a file.
+import { html, type TemplateResult } from "lit";
+import { exampleDocument } from "../state/example.js";
+import type { Playground } from "../state/playground.js";
+
+/** No problem that can be drawn is larger; a file by mistake should not stall the page. */
+const LARGEST_FILE = 2_000_000;
+
+export function documentForm(playground: Playground): TemplateResult {
+  const submit = (event: Event) => {
+    event.preventDefault();
+    void playground.open(playground.draft.value);
+  };
+  return html`<details class="card document">
+    <summary>The problem, as a document</summary>
+    <form @submit=${submit}>
+      <label>
+        <span>Problem document (JSON)</span>
+        <textarea name="document" rows="14" spellcheck="false" autocapitalize="off" autocomplete="off"
+          .value=${playground.draft.value}
+          @input=${(event: Event) => {
+            playground.draft.value = (event.target as HTMLTextAreaElement).value;
+          }}></textarea>
+      </label>
+      <div class="actions">
+        <button type="submit" class="primary">Use this problem</button>
+        <button type="button" @click=${() => playground.open(exampleDocument)}>Back to the example</button>
+        <label class="file">
+          <span>or open a file</span>
+          <input type="file" accept=".json,application/json" @change=${(event: Event) => openFile(playground, event)} />
+        </label>
+      </div>
+    </form>
+  </details>`;
+}
+
+async function openFile(playground: Playground, event: Event): Promise<void> {
+  const input = event.target as HTMLInputElement;
+  const file = input.files?.[0];
+  if (file === undefined) return;
+  // The same file, changed, can then be chosen again.
+  input.value = "";
+  if (file.size > LARGEST_FILE) {
+    playground.refuse(`“${file.name}” is too large for a problem document (more than 2 MB).`);
+    return;
+  }
+  await playground.open(await file.text());
+}

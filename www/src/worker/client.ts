@@ -1,0 +1,151 @@
+// The page's side of the worker: gives tasks ids, drops stale replies, and replaces a worker that is lost or does not
+// obey a cancel.
+import type { Progress, Trace } from "../core.js";
+import { keptOutcome } from "./kept-outcome.js";
+import type { Answer, Message, Reply, Task } from "./protocol.js";
+
+/** A worker that has not taken up a task or answered a cancel by then is in one long piece of work: it is ended. */
+const PATIENCE_MS = 2000;
+
+/** How a task ended, as the page sees it: the worker's answer, or one of the two ends that a worker can't tell. */
+export type Ending = Exclude<Answer, { kind: "broken" }> | { kind: "stale" } | { kind: "lost"; message: string };
+
+interface Current {
+  id: number;
+  task: Task;
+  report: (progress: Progress) => void;
+  end: (ending: Ending) => void;
+  last: Progress | null;
+  /** When the worker is given up because it has not taken up the task, and because it has not answered a cancel. */
+  startBy?: ReturnType<typeof setTimeout>;
+  cancelBy?: ReturnType<typeof setTimeout>;
+}
+
+export class SolverClient {
+  private worker: Worker | null = null;
+  /** Whether this worker has loaded the core. One that never did is not replaced before it is needed again. */
+  private ready = false;
+  private lastId = 0;
+  private current: Current | null = null;
+
+  /** Starts a task; any task before it becomes stale. */
+  run(task: Task, report: (progress: Progress) => void = () => undefined): Promise<Ending> {
+    this.finish({ kind: "stale" });
+    return new Promise((end) => {
+      this.lastId += 1;
+      const current: Current = { id: this.lastId, task, report, end, last: null };
+      this.current = current;
+      this.send({ ...task, id: current.id });
+      // One that is still loading takes as long as the network does.
+      if (this.ready) current.startBy = setTimeout(() => this.sendElsewhere(current), PATIENCE_MS);
+    });
+  }
+
+  /** Asks the task under way to end with the best it has. */
+  cancel(): void {
+    const current = this.current;
+    if (current === null || current.cancelBy !== undefined) return;
+    this.send({ kind: "cancel", id: current.id });
+    current.cancelBy = setTimeout(() => this.giveUpOn(current), PATIENCE_MS);
+  }
+
+  /** Ends the task under way; nobody wants its answer any more. */
+  drop(): void {
+    if (this.current !== null) this.send({ kind: "cancel", id: this.current.id });
+    this.finish({ kind: "stale" });
+  }
+
+  /** Ends the worker; the next task starts another. */
+  dispose(): void {
+    this.finish({ kind: "stale" });
+    this.stopWorker();
+  }
+
+  private send(message: Message): void {
+    this.worker ??= this.startWorker();
+    this.worker.postMessage(message);
+  }
+
+  private startWorker(): Worker {
+    this.ready = false;
+    const worker = new Worker(new URL("./solver.worker.ts", import.meta.url), {
+      type: "module",
+      name: "mo-copp solver",
+    });
+    worker.onmessage = ({ data }: MessageEvent<Reply>) => this.take(data);
+    worker.onmessageerror = () => this.lose("a message of the solver could not be read");
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.lose(event.message || "the solver could not be started");
+    };
+    return worker;
+  }
+
+  private stopWorker(): void {
+    this.worker?.terminate();
+    this.worker = null;
+  }
+
+  private take(reply: Reply): void {
+    if (reply.kind === "ready") {
+      this.ready = true;
+    } else if (reply.kind === "broken") {
+      this.lose(reply.message);
+    } else if (reply.id !== this.current?.id) {
+      return;
+    } else if (reply.kind === "started") {
+      clearTimeout(this.current.startBy);
+    } else if (reply.kind === "progress") {
+      this.current.last = reply.progress;
+      this.current.report(reply.progress);
+    } else {
+      this.finish(reply);
+    }
+  }
+
+  private finish(ending: Ending): void {
+    const current = this.current;
+    this.current = null;
+    clearTimeout(current?.startBy);
+    clearTimeout(current?.cancelBy);
+    current?.end(ending);
+  }
+
+  /** The worker is of no more use. Another takes its place, at once if this one had worked. */
+  private lose(message: string): void {
+    const worked = this.ready;
+    this.stopWorker();
+    if (worked) this.worker = this.startWorker();
+    this.finish({ kind: "lost", message });
+  }
+
+  /** Ends a worker that is busy with a stale task, and gives the task to another. */
+  private sendElsewhere({ task, id }: Current): void {
+    this.stopWorker();
+    this.send({ ...task, id });
+  }
+
+  /** Ends a worker that does not obey, and has another replay the best plan that was reported. */
+  private giveUpOn({ task, last, end, startBy }: Current): void {
+    clearTimeout(startBy);
+    this.stopWorker();
+    if (task.kind !== "solve") {
+      this.finish({ kind: "refused", message: "Opening the problem was cancelled." });
+      return;
+    }
+    const solved = (trace: Trace | null): Ending => ({
+      kind: "solved",
+      outcome: keptOutcome(task.options, last, trace),
+      trace,
+    });
+    if (last === null || last.plan === null) {
+      this.finish(solved(null));
+      return;
+    }
+    // The solve goes on as a replay: its end is the solve's.
+    this.current = null;
+    void this.run({ kind: "trace", document: task.document, plan: last.plan }).then((ending) =>
+      end(ending.kind === "traced" ? solved(ending.trace) : ending),
+    );
+  }
+}

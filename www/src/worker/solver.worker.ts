@@ -1,0 +1,74 @@
+// The worker: the only place that runs the core. One task at a time; a newer one makes the older ones stale.
+import init, { Problem } from "../../pkg/mo_copp.js";
+import type { SolveOptions } from "../core.js";
+import { failure } from "./failure.js";
+import type { Answer, Message, Reply, Task } from "./protocol.js";
+import { inSlices } from "./slices.js";
+import { nextTurn } from "./turn.js";
+
+let newest = 0;
+let cancelled = 0;
+let open: { document: string; problem: Problem } | null = null;
+
+const post = (reply: Reply) => self.postMessage(reply);
+const loaded = init().then(() => post({ kind: "ready" }));
+// Each task waits for it and reports its failure; this only keeps the console quiet until one does.
+loaded.catch(() => undefined);
+
+self.onmessage = ({ data }: MessageEvent<Message>) => {
+  if (data.kind === "cancel") {
+    cancelled = data.id;
+  } else {
+    newest = data.id;
+    void handle(data, data.id);
+  }
+};
+
+async function handle(task: Task, id: number): Promise<void> {
+  try {
+    await loaded;
+    // Requests that came in the meantime are taken first, so that of many only the last is worked on.
+    await nextTurn();
+    if (id !== newest) return;
+    post({ kind: "started", id });
+    const answer = await perform(task, id);
+    if (id === newest) post({ ...answer, id });
+  } catch (error) {
+    post({ ...failure(error), id });
+  }
+}
+
+function perform(task: Task, id: number): Answer | Promise<Answer> {
+  const problem = opened(task.document);
+  switch (task.kind) {
+    case "open":
+      return { kind: "opened", scene: problem.scene(), start: problem.trace([]) };
+    case "trace":
+      return { kind: "traced", trace: problem.trace(task.plan) };
+    case "solve":
+      return solve(problem, task.options, id);
+  }
+}
+
+function opened(document: string): Problem {
+  if (open?.document !== document) {
+    const problem = new Problem(document);
+    open?.problem.free();
+    open = { document, problem };
+  }
+  return open.problem;
+}
+
+async function solve(problem: Problem, options: SolveOptions, id: number): Promise<Answer> {
+  const run = problem.solve(options);
+  await inSlices(
+    run,
+    () => cancelled === id || newest !== id,
+    (progress) => post({ kind: "progress", id, progress }),
+  );
+  const outcome = run.outcome();
+  run.free();
+  // A newer task may have opened another problem meanwhile; then nobody waits for this answer.
+  const trace = newest === id && outcome.plan !== null ? problem.trace(outcome.plan) : null;
+  return { kind: "solved", outcome, trace };
+}
