@@ -1,6 +1,7 @@
 //! The command `mo-copp`, run as a person runs it.
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(missing_docs, missing_debug_implementations)]
+#![allow(clippy::unwrap_used, clippy::missing_panics_doc)]
 
 mod bad_input;
 mod encode;

@@ -1,5 +1,6 @@
 //! The repository itself: its structure and its papers agree with each other.
 #![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 mod architecture;
 mod papers;
