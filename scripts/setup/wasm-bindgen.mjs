@@ -10,11 +10,10 @@ import { versionIn } from "./version.mjs";
 export async function ensureWasmBindgen() {
   const wanted = lockedVersion();
   const commands = ["wasm-bindgen", "wasm-bindgen-test-runner"];
-  if (commands.every((command) => versionIn(read(command, ["--version"])) === wanted)) {
-    return say("wasm-bindgen", wanted);
-  }
+  const found = commands.map((command) => versionIn(read(command, ["--version"])));
+  if (found.every((version) => version === wanted)) return say("wasm-bindgen", wanted);
   // Without --locked: the lock file inside the crate can name versions that a registry does not have.
-  await cargoInstall("wasm-bindgen-cli", wanted);
+  await cargoInstall("wasm-bindgen-cli", wanted, { anotherIsThere: found.some((version) => version !== null) });
 }
 
 function lockedVersion() {

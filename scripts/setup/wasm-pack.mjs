@@ -10,5 +10,5 @@ const tested = "0.15.1";
 export async function ensureWasmPack() {
   const found = versionIn(read("wasm-pack", ["--version"]));
   if (found !== null && atLeast(found, oldest)) return say("wasm-pack", found);
-  await cargoInstall("wasm-pack", tested, ["--locked"]);
+  await cargoInstall("wasm-pack", tested, { flags: ["--locked"], anotherIsThere: found !== null });
 }
