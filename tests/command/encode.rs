@@ -4,7 +4,7 @@ use crate::{EXPLICIT, GRID, mo_copp};
 
 #[test]
 fn both_encodings_print_a_program() {
-    for (encoding, row) in [("paper", "eq17_1:"), ("belief-flow", "tie_1_0_0:")] {
+    for (encoding, row) in [("paper", "c17_1:"), ("belief-flow", "tie_1_0_0:")] {
         let ran = mo_copp(EXPLICIT, &["encode", "-", "--encoding", encoding, "--horizon", "1"]);
         assert_eq!(ran.code, 0, "{}", ran.err);
         for part in ["Maximize\n", "Subject To\n", "Bounds\n", "Binaries\n", "End\n", row] {

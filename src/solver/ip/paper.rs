@@ -176,7 +176,7 @@ impl Writer<'_> {
         self.model.note("the paper's encoding: x_a_t action, y_s_t state, w_i_o_t symbol,");
         self.model
             .note("b_i_s_t believed state, h_i_s_o_t believed before symbol o, g_i_G survivor,");
-        self.model.note("p and q products of binaries; rows are named after the equations");
+        self.model.note("p and q products of binaries; row c14 is of equation (14), and so on");
         let start = self.joint.initial().state;
         // (3): the initial state; a state with the true goal in the end is all that is live.
         let first = self.binary(Name::new("y", [start.index(), 0]));
@@ -227,11 +227,11 @@ impl Writer<'_> {
         let all = |of: &Of<Variable>| of.values().map(|&variable| (variable, 1.0)).collect();
         model.row(Name::new("one_state", [step]), all(&y), Comparison::Equal, 1.0);
         // (17), as an equality since a plan has exactly T actions.
-        model.row(Name::new("eq17", [step]), all(&x), Comparison::Equal, 1.0);
+        model.row(Name::new("c17", [step]), all(&x), Comparison::Equal, 1.0);
         let name = |letter| move |key: Key| Name::new(letter, [key.0 as usize, step]);
-        eq8.write(model, name("eq8"), Comparison::AtMost, 0.0);
-        eq9.write(model, name("eq9"), Comparison::AtLeast, 0.0);
-        eq10.write(model, name("eq10"), Comparison::AtMost, 0.0);
+        eq8.write(model, name("c8"), Comparison::AtMost, 0.0);
+        eq9.write(model, name("c9"), Comparison::AtLeast, 0.0);
+        eq10.write(model, name("c10"), Comparison::AtMost, 0.0);
         p_from.write(model, name("p_from"), Comparison::Equal, 0.0);
         p_to.write(model, name("p_to"), Comparison::Equal, 0.0);
         let change = |key: Key| Name::new("p_by", [key.0 as usize, key.1 as usize, step]);
@@ -284,7 +284,7 @@ impl Writer<'_> {
             q_to.add(one(to), self.y[step][&one(to)], -1.0);
         }
         let name = |letter| move |key: Key| Name::new(letter, [i, key.0 as usize, step]);
-        eq11.write(&mut self.model, name("eq11"), Comparison::Equal, 0.0);
+        eq11.write(&mut self.model, name("c11"), Comparison::Equal, 0.0);
         q_by.write(&mut self.model, name("q_by"), Comparison::Equal, 0.0);
         q_to.write(&mut self.model, name("q_to"), Comparison::Equal, 0.0);
         self.transitions[step - 1] = transitions;
@@ -373,10 +373,10 @@ impl Writer<'_> {
                 }
             }
         }
-        sums.write(&mut self.model, name("eq13"), Comparison::Equal, 0.0);
-        eq14.write(&mut self.model, name("eq14"), Comparison::AtMost, 0.0);
-        eq15.write(&mut self.model, pair("eq15"), Comparison::AtMost, 0.0);
-        eq16.write(&mut self.model, name("eq16"), Comparison::AtMost, 0.0);
+        sums.write(&mut self.model, name("c13"), Comparison::Equal, 0.0);
+        eq14.write(&mut self.model, name("c14"), Comparison::AtMost, 0.0);
+        eq15.write(&mut self.model, pair("c15"), Comparison::AtMost, 0.0);
+        eq16.write(&mut self.model, name("c16"), Comparison::AtMost, 0.0);
         for (&state, &then) in &b {
             if let Some(&there) = self.y[step].get(&state) {
                 let terms = vec![(there, 1.0), (then, -1.0)];
@@ -398,7 +398,7 @@ impl Writer<'_> {
                 if self.joint.goals_of_state(StateId(state.0)).contains(goal) {
                     states.push((believed, -1.0));
                     let terms = vec![(believed, 1.0), (survives, -1.0)];
-                    let name = Name::new("eq7", [i, goal, state.0 as usize]);
+                    let name = Name::new("c7", [i, goal, state.0 as usize]);
                     self.model.row(name, terms, Comparison::AtMost, 0.0);
                 }
             }
