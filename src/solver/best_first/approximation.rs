@@ -3,9 +3,10 @@
 //! `approx` returns a belief of at most Δ states that contains the true state. Our reading of the
 //! paper's "unique Δ-sized combinations": among the Δ-subsets of each belief that contain the true
 //! state, in a fixed order, take the first combination over all observers that is not closed yet.
-//! Subsets are ordered by the positions of their members in the belief, lexicographically, and the
-//! last observer's subset changes fastest. Every combination passed over was taken by another node
-//! of the same state, so no node looks at more combinations than there are such nodes.
+//! Subsets are ordered by the positions of their members in the belief, lexicographically and from
+//! the last on to the first, and the last observer's subset changes fastest. Each node begins at a
+//! place of its own, as keys do in a hash table: did all begin at the first combination, thousands
+//! of nodes of one state would each pass over all that the others have taken.
 
 use rustc_hash::FxHashSet;
 
@@ -29,32 +30,44 @@ struct Subsets<'a> {
     truth: usize,
     /// Which of the others are in, counted without it.
     chosen: Vec<usize>,
+    /// Where it began.
+    start: Vec<usize>,
 }
 
 impl<'a> Subsets<'a> {
-    fn new(members: &'a [StateId], truth: StateId, size: usize) -> Self {
+    /// Begins at a place that `seed` chooses; what is left of it chooses for the next observer.
+    fn new(members: &'a [StateId], truth: StateId, size: usize, seed: &mut usize) -> Self {
         let truth = members.binary_search(&truth).unwrap_or(members.len());
-        Self { members, truth, chosen: (0..(size - 1).min(members.len() - 1)).collect() }
+        let count = (size - 1).min(members.len() - 1);
+        let places = members.len() - count;
+        let begin = *seed % places;
+        *seed /= places;
+        let start: Vec<usize> = (begin..begin + count).collect();
+        Self { members, truth, chosen: start.clone(), start }
     }
 
     fn chosen(&self) -> impl Iterator<Item = u32> + '_ {
         self.chosen.iter().map(|&other| self.members[other + usize::from(other >= self.truth)].0)
     }
 
-    /// Moves to the next subset; false after the last, which leads back to the first.
+    /// Moves to the next subset; false when that is where it began.
     fn step(&mut self) -> bool {
+        self.advance();
+        self.chosen != self.start
+    }
+
+    fn advance(&mut self) {
         let count = self.chosen.len();
         let room = self.members.len() - 1 - count;
         let place = (0..count).rev().find(|&place| self.chosen[place] < room + place);
         let Some(place) = place else {
             self.chosen = (0..count).collect();
-            return false;
+            return;
         };
         self.chosen[place] += 1;
         for next in place + 1..count {
             self.chosen[next] = self.chosen[next - 1] + 1;
         }
-        true
     }
 }
 
@@ -81,11 +94,12 @@ impl Approximations {
     /// Closes the first combination that is open for a node; false when there is none.
     pub(super) fn close(&mut self, joint: &JointSpace, node: Node, steps: u32) -> bool {
         let observers = joint.problem().observers().len();
+        let mut seed = node.profile.index();
         let mut subsets: Vec<Subsets<'_>> = (0..observers)
             .map(|observer| {
                 let belief = joint.belief(node.profile, observer);
                 let members = joint.beliefs(observer).members(belief);
-                Subsets::new(members, node.state, self.size)
+                Subsets::new(members, node.state, self.size, &mut seed)
             })
             .collect();
         // Nodes differ in their whole beliefs, even where an earlier round has closed the same
@@ -105,7 +119,7 @@ impl Approximations {
                 self.closed.insert(key.into_boxed_slice());
                 return true;
             }
-            // Like an odometer: the last one that can move does, those behind it start again.
+            // Like an odometer: the last one that does not start again moves.
             let moved = subsets.iter_mut().rev().any(Subsets::step);
             if !moved {
                 return false;
