@@ -4,12 +4,16 @@
 //! definitions of Section 2 of the paper and shares nothing with the solvers' interned spaces but
 //! the task and the sensors themselves.
 
+use rustc_hash::FxHashSet;
 use thiserror::Error;
 
 use crate::goal_difference::GoalSet;
 use crate::plan::{Plan, PlanError, execute};
 use crate::problem::{Problem, SurvivorCounts};
 use crate::task::{Action, OperatorId, State, Task};
+
+/// The most believed states that a trace keeps, over all steps and observers.
+const MAX_STATES: usize = if cfg!(target_arch = "wasm32") { 500_000 } else { 4_000_000 };
 
 /// What holds after some steps of a plan.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,15 +59,16 @@ impl OperatorsByFact {
         Self { by_fact, always }
     }
 
-    /// Calls `visit` with each applicable operator and the state it results in.
-    fn successors(&self, task: &Task, state: &State, mut visit: impl FnMut(OperatorId, State)) {
+    /// Calls `visit` with each applicable operator and the packed state it results in.
+    fn successors(&self, task: &Task, state: &State, mut visit: impl FnMut(OperatorId, &[u64])) {
         let facts = task.facts_of(state.words());
+        let mut words = vec![0; state.words().len()];
         let near = facts.iter().flat_map(|fact| &self.by_fact[fact.index()]);
         for &id in near.chain(&self.always) {
             if task.satisfies(state.words(), &task.operator(id).preconditions) {
-                let mut words = state.words().to_vec();
+                words.copy_from_slice(state.words());
                 task.apply(id, &mut words);
-                visit(id, State::from_words(words));
+                visit(id, &words);
             }
         }
     }
@@ -124,17 +129,16 @@ impl<'a> Replay<'a> {
         for (observer, belief) in self.problem.observers().iter().zip(&mut self.beliefs) {
             let sensor = &observer.sensor;
             let seen = sensor.read(task, operator, self.states[self.at].words());
-            let mut next = Vec::new();
+            let mut next: FxHashSet<Box<[u64]>> = FxHashSet::default();
             for state in belief.iter() {
                 self.operators.successors(task, state, |id, target| {
-                    if sensor.read(task, id, target.words()) == seen {
-                        next.push(target);
+                    if sensor.read(task, id, target) == seen && !next.contains(target) {
+                        next.insert(target.into());
                     }
                 });
             }
-            next.sort_unstable();
-            next.dedup();
-            *belief = next;
+            *belief = next.into_iter().map(|words| State::from_words(words.into_vec())).collect();
+            belief.sort_unstable();
             symbols.push(Some(sensor.name(seen).to_owned()));
         }
         Some(symbols)
@@ -147,7 +151,8 @@ impl<'a> Replay<'a> {
 ///
 /// # Errors
 ///
-/// [`PlanError`] when a step cannot be carried out. A plan that ends elsewhere than in the true
+/// [`PlanError`] when a step cannot be carried out, or the beliefs of all steps together are too
+/// many states to keep. A plan that ends elsewhere than in the true
 /// goal is no error: see [`Trace::reaches_goal`].
 ///
 /// ```
@@ -163,7 +168,12 @@ pub fn trace(problem: &Problem, plan: &Plan) -> Result<Trace, PlanError> {
     let mut replay = Replay::new(problem, plan)?;
     let mut steps = Vec::with_capacity(plan.len() + 1);
     let mut seen = Some(vec![None; problem.observers().len()]);
+    let mut kept = 0;
     while let Some(symbols) = seen {
+        kept += replay.beliefs.iter().map(Vec::len).sum::<usize>();
+        if kept > MAX_STATES {
+            return Err(PlanError::TooManyStates { step: replay.at, limit: MAX_STATES });
+        }
         steps.push(TraceStep {
             action: replay.at.checked_sub(1).map(|index| plan.actions[index]),
             state: replay.states[replay.at].clone(),

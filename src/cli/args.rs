@@ -55,6 +55,7 @@ pub struct BoundsArgs {
 
 /// Find a plan.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 #[command(after_help = "\
 Solvers:
   exact      the best goal difference of all plans (of T actions with --horizon T), proved
@@ -142,6 +143,7 @@ pub struct TraceArgs {
 
 /// Print the integer program.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 #[command(after_help = "\
 Examples:
   mo-copp encode grid.json --encoding belief-flow --horizon 12 > grid.lp
@@ -162,6 +164,7 @@ pub struct EncodeArgs {
 
 /// Print a random problem.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 #[command(after_help = "\
 The same seed gives the same document everywhere.
 

@@ -26,9 +26,8 @@ pub fn run(args: &EncodeArgs) -> Result<u8, CliError> {
         }
         Ok(None) => {
             let horizon = args.horizon;
-            eprintln!(
-                "mo-copp: infeasible: there is no such plan of {horizon} actions, so there is no program"
-            );
+            print(&lp_format::infeasible(&format!("there is no such plan of {horizon} actions")))?;
+            eprintln!("mo-copp: infeasible: there is no such plan of {horizon} actions");
             Ok(NO_PLAN)
         }
         Err(limit) => {

@@ -15,6 +15,7 @@ use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
+use mo_copp::plan::PlanError;
 
 use args::{Command, CommandLine};
 use error::CliError;
@@ -40,12 +41,29 @@ pub fn main() -> ExitCode {
         Err(CliError::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
+        Err(CliError::Plan(error @ PlanError::TooManyStates { .. })) => {
+            let _ = writeln!(std::io::stderr(), "mo-copp: {error}");
+            ExitCode::from(LIMIT)
+        }
         Err(error) => {
             // Where not even this can be printed, the exit code is all there is.
-            let _ = writeln!(std::io::stderr(), "mo-copp: {error}");
+            let _ = writeln!(std::io::stderr(), "mo-copp: {}", visible(&error.to_string()));
             ExitCode::from(BAD_INPUT)
         }
     }
+}
+
+/// A text for a terminal: names may hold anything, so control characters are written out.
+fn visible(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for character in text.chars() {
+        if character.is_control() && character != '\n' {
+            shown.extend(character.escape_default());
+        } else {
+            shown.push(character);
+        }
+    }
+    shown
 }
 
 /// Prints a text to the standard output.

@@ -17,6 +17,8 @@ use super::error::CliError;
 const QUIET: Duration = Duration::from_secs(1);
 /// How often progress is shown.
 const EVERY: Duration = Duration::from_millis(100);
+/// So many slices are told of at once.
+const FIRST_SLICES: u64 = 2;
 /// How long a solver may take to stop after Ctrl-C before it is left behind: one step of the
 /// integer program cannot be cut.
 const PATIENCE: Duration = Duration::from_secs(2);
@@ -35,14 +37,22 @@ pub fn solve_watched(
     let stop = Arc::new(AtomicBool::new(false));
     let on_signal = Arc::clone(&stop);
     // Without a handler Ctrl-C ends the process, which is no worse.
-    let _ = ctrlc::set_handler(move || on_signal.store(true, Ordering::SeqCst));
+    let _ = ctrlc::set_handler(move || {
+        if on_signal.swap(true, Ordering::SeqCst) {
+            // Asked twice: whoever it is does not want to wait for the best plan.
+            std::process::exit(i32::from(super::LIMIT));
+        }
+    });
     let (sender, receiver) = channel();
     {
         let (problem, options, stop) = (Arc::clone(problem), options.clone(), Arc::clone(&stop));
         thread::spawn(move || {
             let mut told = Instant::now();
+            let mut slices = 0_u64;
             let outcome = solve(problem, options, |run| {
-                if told.elapsed() >= EVERY {
+                slices += 1;
+                // The first plan comes early; what follows may take long.
+                if slices <= FIRST_SLICES || told.elapsed() >= EVERY {
                     told = Instant::now();
                     // Nobody listens any more when the run has been left behind.
                     let _ = sender.send(Message::Progress(run.progress()));

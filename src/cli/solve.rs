@@ -9,7 +9,7 @@ use mo_copp::solver::{Horizon, Options, Outcome, Solver, Status};
 
 use super::args::SolveArgs;
 use super::error::CliError;
-use super::{LIMIT, NO_PLAN, input, print, progress};
+use super::{LIMIT, NO_PLAN, input, print, progress, visible};
 
 /// Solves and prints; the exit code.
 pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
@@ -38,7 +38,7 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
         // Only texts, numbers and lists: writing them cannot fail.
         print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
     } else {
-        print(&text(&problem, &options, &outcome, seconds))?;
+        print(&visible(&text(&problem, &options, &outcome, seconds)))?;
     }
     Ok(match outcome.status {
         Status::Optimal | Status::Solved | Status::Feasible => 0,

@@ -9,7 +9,7 @@ use mo_copp::trace::{Trace, trace};
 
 use super::args::TraceArgs;
 use super::error::CliError;
-use super::{NO_PLAN, input, print};
+use super::{NO_PLAN, input, print, visible};
 
 /// Believed states shown in text.
 const STATES_SHOWN: usize = 6;
@@ -29,7 +29,7 @@ pub fn run(args: &TraceArgs) -> Result<u8, CliError> {
         // Only texts, numbers and lists: writing them cannot fail.
         print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
     } else {
-        print(&text(&problem, &trace))?;
+        print(&visible(&text(&problem, &trace)))?;
     }
     Ok(if trace.reaches_goal { 0 } else { NO_PLAN })
 }

@@ -7,6 +7,10 @@ use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Vis
 
 use super::DocumentError;
 
+/// The longest text that is read. A value takes up to 16 times as much memory as its text, and up to
+/// three times that while a list grows.
+pub const MAX_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 32 << 20 };
+
 /// A JSON value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Json {
@@ -33,6 +37,11 @@ impl Json {
     ///
     /// [`DocumentError::Syntax`] with line and column; a key given twice is one.
     pub fn parse(text: &str) -> Result<Self, DocumentError> {
+        if text.len() > MAX_BYTES {
+            let found = format!("{} MiB of text", text.len() >> 20);
+            let expected = format!("at most {} MiB", MAX_BYTES >> 20);
+            return Err(DocumentError::invalid("document", found, expected));
+        }
         serde_json::from_str(text).map_err(|error| {
             let message = error.to_string();
             let place = format!(" at line {} column {}", error.line(), error.column());

@@ -87,7 +87,11 @@ impl<'a> Reader<'a> {
         &self,
         mut read: impl FnMut(&Reader<'a>) -> Result<T, DocumentError>,
     ) -> Result<Vec<T>, DocumentError> {
-        self.items()?.iter().map(&mut read).collect()
+        let Json::Array(items) = self.value else { return Err(self.expected("a list")) };
+        // One item at a time: a place for each of a million items would take far more memory than
+        // the items.
+        let item = |(i, value)| Reader { value, path: format!("{}[{i}]", self.path) };
+        items.iter().enumerate().map(item).map(|item| read(&item)).collect()
     }
 
     /// A text that is not empty.

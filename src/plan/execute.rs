@@ -18,6 +18,20 @@ pub enum PlanError {
         /// Some of the actions there are.
         known: String,
     },
+    /// More actions than a plan may have.
+    #[error("the plan: found {found} actions, expected at most {}", super::MAX_LENGTH)]
+    TooLong {
+        /// How many there are.
+        found: usize,
+    },
+    /// A trace that would take too much memory.
+    #[error("trace limit reached at step {step}: {limit} believed states")]
+    TooManyStates {
+        /// The step, from 1.
+        step: usize,
+        /// The limit on the believed states of all steps together.
+        limit: usize,
+    },
     /// An action that cannot be carried out where the plan has led.
     #[error("step {step}: found {action}, which is not applicable in {state}: {reason}")]
     NotApplicable {

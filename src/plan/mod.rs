@@ -10,6 +10,9 @@ pub use execute::{PlanError, execute};
 
 use crate::task::{Action, Task};
 
+/// The most actions a plan may have.
+pub const MAX_LENGTH: usize = 10_000;
+
 /// A sequence of actions.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Plan {
@@ -37,7 +40,8 @@ impl Plan {
     ///
     /// # Errors
     ///
-    /// [`PlanError::UnknownAction`] names the first step that is no action of the task.
+    /// [`PlanError::UnknownAction`] names the first step that is no action of the task;
+    /// [`PlanError::TooLong`] where there are more than [`MAX_LENGTH`].
     ///
     /// ```
     /// use mo_copp::{plan::Plan, task::TaskBuilder};
@@ -50,6 +54,9 @@ impl Plan {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn from_names(task: &Task, names: &[impl AsRef<str>]) -> Result<Self, PlanError> {
+        if names.len() > MAX_LENGTH {
+            return Err(PlanError::TooLong { found: names.len() });
+        }
         let mut actions = Vec::with_capacity(names.len());
         for (index, name) in names.iter().enumerate() {
             let name = name.as_ref();

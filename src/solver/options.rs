@@ -7,7 +7,7 @@ use crate::limits::Limits;
 use crate::problem::{Problem, SurvivorCounts};
 
 /// The longest horizon that can be asked for.
-pub const MAX_HORIZON: usize = 10_000;
+pub const MAX_HORIZON: usize = crate::plan::MAX_LENGTH;
 
 /// Which solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

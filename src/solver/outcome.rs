@@ -91,6 +91,8 @@ pub struct Progress {
     pub solver: Solver,
     /// Expansions of a search, or nodes of branch and bound.
     pub done: u64,
+    /// What the work took so far.
+    pub stats: Stats,
     /// The horizon being worked on, where there is one.
     pub horizon: Option<usize>,
     /// The goal difference of the best plan found.

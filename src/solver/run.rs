@@ -31,8 +31,14 @@ pub enum SolveError {
 }
 
 /// How many expansions or nodes [`solve`] does between two reports. Few, since a single one can
-/// take long where beliefs are large.
-const SLICE: u64 = 64;
+/// take long: an expansion where beliefs are large, a node where the integer program is.
+fn slice(solver: Solver) -> u64 {
+    match solver {
+        Solver::Exact => 16,
+        Solver::Baseline => 4,
+        Solver::Ip | Solver::Search | Solver::Obfuscate | Solver::Legible => 1,
+    }
+}
 
 /// A solver at work.
 ///
@@ -186,6 +192,7 @@ impl Run {
         let mut progress = Progress {
             solver: self.options.solver,
             done: 0,
+            stats: Stats::default(),
             horizon: self.horizon,
             goal_difference: None,
             bound: None,
@@ -201,6 +208,7 @@ impl Run {
         }
         let stats = self.stats();
         progress.done = stats.expansions + stats.nodes;
+        progress.stats = stats;
         progress
     }
 
@@ -240,9 +248,14 @@ pub fn abandoned(
     progress: Option<&Progress>,
 ) -> Result<Outcome, SolveError> {
     let plan = progress.and_then(|progress| progress.plan.clone());
-    let horizon = progress.and_then(|progress| progress.horizon);
+    let asked = match options.horizon {
+        Horizon::Steps(steps) => Some(steps),
+        Horizon::Auto | Horizon::Any => None,
+    };
+    let horizon = progress.map_or(asked, |progress| progress.horizon);
+    let stats = progress.map_or_else(Stats::default, |progress| progress.stats);
     let finding = Finding::stopped(plan, LimitReached::Cancelled);
-    conclude(problem, options, horizon, &finding, Stats::default())
+    conclude(problem, options, horizon, &finding, stats)
 }
 
 /// Replays what was found and puts the answer together.
@@ -315,8 +328,9 @@ pub fn solve(
     options: Options,
     mut progress: impl FnMut(&Run) -> ControlFlow<()>,
 ) -> Result<Outcome, SolveError> {
+    let slice = slice(options.solver);
     let mut run = Run::new(problem, options)?;
-    while !run.advance(SLICE)? {
+    while !run.advance(slice)? {
         if progress(&run).is_break() {
             break;
         }

@@ -15,8 +15,10 @@ use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::exact::layers::Layers;
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::solver::{Options, SolveError};
+use crate::trace::validate;
 
 /// Bytes that microlp keeps for an open node besides one for each variable and row: the changes of
 /// bounds on the way to it and its own fields.
@@ -24,6 +26,9 @@ const BYTES_OF_A_NODE: u64 = 512;
 
 /// How many nodes are solved between two looks at the memory; a slice ends there at the latest.
 const NODES_BETWEEN_CHECKS: u64 = 64;
+
+/// Expansions spent on the first plan.
+const FIRST_PLAN_EXPANSIONS: u64 = 256;
 
 /// Slack when a bound on a whole number is rounded down.
 const ROUNDING: f64 = 1e-6;
@@ -34,15 +39,23 @@ pub(in crate::solver) struct IntegerProgram {
     /// None when the encoding has already shown that there is no plan.
     encoded: Option<Encoded>,
     problem: Arc<Problem>,
+    options: Options,
+    horizon: usize,
     limits: Limits,
     state: State,
     stats: Stats,
+    /// The best plan the program has found.
     best: Option<(f64, Plan)>,
+    /// A plan from before the program was solved.
+    first: Option<(f64, Plan)>,
     bound: Option<f64>,
 }
 
 #[derive(Debug)]
 enum State {
+    /// Nothing has been tried.
+    Begin,
+    /// A first plan has been looked for.
     New,
     Working(Box<SolveOutcome>),
     Done,
@@ -85,12 +98,37 @@ impl IntegerProgram {
         Ok(Self {
             encoded,
             problem,
+            options: options.clone(),
+            horizon,
             limits: options.limits,
-            state: State::New,
+            state: State::Begin,
             stats,
             best: None,
+            first: None,
             bound: None,
         })
+    }
+
+    /// Looks for a plan to have before the relaxation at the root is solved, which can take long
+    /// and cannot be cut. The program is not told, so it finds its own.
+    fn first_plan(&mut self) {
+        let mut layers = Layers::new(Arc::clone(&self.problem), &self.options, self.horizon);
+        if layers.advance(FIRST_PLAN_EXPANSIONS).is_err() {
+            return;
+        }
+        let Some(plan) = layers.stop(LimitReached::Cancelled).plan else { return };
+        if let Ok(achieved) = validate(&self.problem, &plan) {
+            self.first = Some((achieved.counts.difference() as f64, plan));
+        }
+    }
+
+    /// The better one of the plan found by the program and the first plan.
+    fn best(&self) -> Option<&(f64, Plan)> {
+        match (&self.best, &self.first) {
+            (Some(best), Some(first)) if first.0 > best.0 + ROUNDING => Some(first),
+            (Some(best), _) => Some(best),
+            (None, first) => first.as_ref(),
+        }
     }
 
     /// Takes note of what a slice has brought.
@@ -114,6 +152,11 @@ impl IntegerProgram {
         let to_check = NODES_BETWEEN_CHECKS - self.stats.nodes % NODES_BETWEEN_CHECKS;
         let nodes = budget.min(left).min(to_check).max(1);
         let solved = match std::mem::replace(&mut self.state, State::Done) {
+            State::Begin => {
+                self.state = State::New;
+                self.first_plan();
+                return Ok(Advance::Working);
+            }
             State::New => {
                 let (problem, _) = to_microlp(&encoded.model);
                 let mut options = SolveOptions::default();
@@ -164,14 +207,14 @@ impl Engine for IntegerProgram {
     }
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
-        Finding::stopped(self.best.as_ref().map(|(_, plan)| plan.clone()), limit)
+        Finding::stopped(self.best().map(|(_, plan)| plan.clone()), limit)
     }
 
     fn report(&self, progress: &mut Progress) {
         let most = self.problem.goals().len() as f64 - 1.0;
         let whole = |bound: f64| (bound + ROUNDING).floor().min(most) / most;
         progress.bound = Some(self.bound.map_or(1.0, whole));
-        if let Some((objective, plan)) = &self.best {
+        if let Some((objective, plan)) = self.best() {
             progress.goal_difference = Some(objective.round() / most);
             progress.plan = Some(plan.clone());
         }

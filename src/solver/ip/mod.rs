@@ -66,6 +66,11 @@ pub fn encode(
         Encoding::BeliefFlow => belief_flow::encode(&mut joint, &bounds, horizon)?,
     };
     if let Some(encoded) = &mut encoded {
+        let n = joint.problem().goals().len();
+        encoded
+            .model
+            .note("the objective is the survivors for the enemy minus those for the friend;");
+        encoded.model.note(format!("divided by {} it is the goal difference", n - 1));
         encoded.spaces.count_spaces(&joint);
         encoded.spaces.variables = encoded.model.variables().len() as u64;
         encoded.spaces.rows = encoded.model.rows().len() as u64;
