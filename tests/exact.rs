@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 
 use mo_copp::solver::{Options, Outcome, Solver, Status};
 
-use crate::common::random::{self, MEDIUM, PAIR};
+use crate::common::random::{self, MEDIUM, PAIR, Size};
+use crate::common::table::{Table, Watcher, set};
 use crate::common::{Dice, Judge, Wish, oracle};
+use crate::search;
 
 /// Pairs of counts with the shortest plan for each.
 fn pairs(
@@ -83,7 +85,7 @@ pub fn equals_closure(judge: &Judge, wish: &Wish) {
 #[test]
 fn at_a_horizon_equals_the_enumeration_of_all_plans() {
     let mut dice = Dice::new(1);
-    for number in 0..12_000 {
+    for number in 0..25_000 {
         let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
         let horizon = random::horizon(&mut dice, &judge.table, 1100);
         let wish =
@@ -95,10 +97,55 @@ fn at_a_horizon_equals_the_enumeration_of_all_plans() {
 #[test]
 fn over_all_lengths_equals_the_closure_of_all_situations() {
     let mut dice = Dice::new(2);
-    for number in 0..12_000 {
+    for number in 0..25_000 {
         let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
         let wish =
             if number % 3 == 0 { Wish::default() } else { random::wish(&mut dice, &judge.table) };
         equals_closure(&judge, &wish);
+    }
+}
+
+/// Larger than enumeration is up to.
+#[test]
+fn over_all_lengths_on_larger_problems() {
+    let mut dice = Dice::new(12);
+    for _ in 0..1500 {
+        let size = Size { states: 12, actions: 4, goals: 6 };
+        let judge = Judge::new(random::table(&mut dice, size, &PAIR));
+        let wish = random::wish(&mut dice, &judge.table);
+        equals_closure(&judge, &wish);
+        for solver in search::SOLVERS {
+            search::agrees(&judge, solver, None, &wish);
+        }
+    }
+}
+
+/// As long as a horizon can be: there and back ten thousand times.
+#[test]
+fn at_the_longest_horizon() {
+    let step = |from: usize| vec![Some(1 - from)];
+    let watcher = |role| Watcher {
+        role,
+        belief: set(&[0]),
+        symbols: vec!["step".to_owned()],
+        sensor: vec![vec![0; 2]],
+    };
+    let judge = Judge::new(Table {
+        states: vec!["s0".to_owned(), "s1".to_owned()],
+        actions: vec!["step".to_owned()],
+        next: vec![step(0), step(1)],
+        start: 0,
+        goals: vec![set(&[0]), set(&[1])],
+        goal_names: vec!["G1".to_owned(), "G2".to_owned()],
+        true_goal: 0,
+        watchers: PAIR.map(watcher).to_vec(),
+    });
+    for (horizon, possible) in [(10_000, true), (9_999, false)] {
+        for solver in Solver::ALL {
+            let options = Judge::options(solver, Some(horizon), &Wish::default());
+            let outcome = judge.solve(&options);
+            let ending = judge.check(&options, &outcome, &Wish::default());
+            assert_eq!(ending.is_some(), possible, "{} {horizon}", solver.name());
+        }
     }
 }

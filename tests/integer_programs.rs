@@ -44,10 +44,10 @@ fn on_random_problems(seed: u64, problems: usize, size: Size) {
 
 #[test]
 fn both_encodings_equal_enumeration_on_small_problems() {
-    on_random_problems(5, 3000, SMALL);
+    on_random_problems(5, 8000, SMALL);
 }
 
 #[test]
 fn both_encodings_equal_enumeration_on_larger_problems() {
-    on_random_problems(6, 1000, Size { states: 6, actions: 3, goals: 4 });
+    on_random_problems(6, 3000, Size { states: 6, actions: 3, goals: 4 });
 }

@@ -38,7 +38,7 @@ pub fn agrees(judge: &Judge, solver: Solver, horizon: Option<usize>, wish: &Wish
 #[test]
 fn over_all_lengths_says_infeasible_exactly_when_it_is() {
     let mut dice = Dice::new(3);
-    for _ in 0..12_000 {
+    for _ in 0..20_000 {
         let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
         let wish = random::wish(&mut dice, &judge.table);
         for solver in SOLVERS {
@@ -50,7 +50,7 @@ fn over_all_lengths_says_infeasible_exactly_when_it_is() {
 #[test]
 fn at_a_horizon_says_infeasible_exactly_when_it_is() {
     let mut dice = Dice::new(4);
-    for _ in 0..12_000 {
+    for _ in 0..20_000 {
         let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
         let wish = random::wish(&mut dice, &judge.table);
         let horizon = random::horizon(&mut dice, &judge.table, 300);
