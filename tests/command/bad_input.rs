@@ -257,3 +257,50 @@ fn plans_and_files() {
     let ran = mo_copp(GRID, &["trace", "-"]);
     assert_eq!(ran.code, 2, "a plan is required");
 }
+
+#[test]
+fn negative_numbers_name_their_option() {
+    for option in ["--horizon", "--k", "--j", "--horizon-step", "--node-limit"] {
+        let ran = mo_copp(GRID, &["solve", "-", option, "-1"]);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{option}");
+        assert!(ran.err.contains(&format!("'{option}")), "{option}: {}", ran.err);
+        assert!(ran.err.contains("-1"), "{option}: {}", ran.err);
+    }
+}
+
+#[test]
+fn what_is_too_large_is_refused_before_memory_runs_out() {
+    let long = format!("{{\"format\": \"explicit\", \"states\": [{}0]}}", "0,".repeat(17 << 20));
+    let ran = mo_copp(&long, &["solve", "-"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    assert_eq!(ran.err, "mo-copp: -: found more than 32 MiB, expected at most that\n");
+    let plan = "north,south,".repeat(6000);
+    let ran = mo_copp(GRID, &["trace", "-", "--plan", &plan]);
+    assert_eq!(ran.code, 2);
+    assert_eq!(
+        ran.err,
+        "mo-copp: the plan fails: the plan: found 12000 actions, expected at most 10000\n"
+    );
+    let blind = GRID
+        .replace("\"width\": 8, \"height\": 8", "\"width\": 99, \"height\": 99")
+        .replace("horizontal", "vertical");
+    let plan = "north,south,".repeat(1200);
+    let ran = mo_copp(&blind, &["trace", "-", "--plan", &plan]);
+    assert_eq!((ran.code, ran.out.as_str()), (3, ""), "{}", ran.err);
+    assert!(ran.err.starts_with("mo-copp: trace limit reached at step "), "{}", ran.err);
+}
+
+#[test]
+fn names_cannot_steer_the_terminal() {
+    let hostile = EXPLICIT.replace("\"G2\"", "\"\\u001b[31mred\"");
+    for arguments in [&["solve", "-"][..], &["trace", "-", "--plan", "a"]] {
+        let ran = mo_copp(&hostile, arguments);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        assert!(!ran.out.contains('\u{1b}') && ran.out.contains("\\u{1b}[31mred"), "{}", ran.out);
+    }
+    let ran = mo_copp(
+        &hostile.replace("\"true_goal\": \"G1\"", "\"true_goal\": \"G9\""),
+        &["solve", "-"],
+    );
+    assert!(ran.code == 2 && !ran.err.contains('\u{1b}'), "{}", ran.err);
+}
