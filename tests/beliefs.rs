@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use mo_copp::domain::{Delivery, Document};
+use mo_copp::domain::gridworld::{GridGoal, GridObserver, MoveSymbols};
+use mo_copp::domain::{Delivery, Document, Gridworld, Observers};
 use mo_copp::plan::Plan;
 use mo_copp::problem::Problem;
 use mo_copp::solver::{Options, Solver, Status};
@@ -113,6 +114,32 @@ fn plans_that_cannot_be_carried_out() {
     assert!(!trace(&problem, &plan).unwrap().reaches_goal);
     let error = validate(&problem, &plan).unwrap_err().to_string();
     assert_eq!(error, "the plan ends in a state without the true goal");
+}
+
+#[test]
+fn plans_and_traces_that_are_too_long() {
+    let problem = corridor();
+    let error = Plan::from_names(problem.task(), &["go"; 10_001]).unwrap_err().to_string();
+    assert_eq!(error, "the plan: found 10001 actions, expected at most 10000");
+    // 65,536 cells for each observer, and so for each of 2 × 31 beliefs: more than 4 million.
+    let cells: Vec<[u32; 2]> = (0..1 << 16).map(|index| [index % 256, index / 256]).collect();
+    let sensor = MoveSymbols { stay: Some("north".to_owned()), ..MoveSymbols::axis() };
+    let observer = GridObserver { initial_belief: Some(cells), cameras: Vec::new(), sensor };
+    let goal = |name: &str| GridGoal { name: name.to_owned(), cell: [1, 1] };
+    let grid = Gridworld {
+        width: 256,
+        height: 256,
+        walls: Vec::new(),
+        start: [1, 1],
+        goals: vec![goal("G1"), goal("G2")],
+        true_goal: "G1".to_owned(),
+        stay: true,
+        observers: Observers { adversarial: observer.clone(), cooperative: observer },
+    };
+    let problem = grid.problem().unwrap();
+    let plan = Plan::from_names(problem.task(), &["stay"; 40]).unwrap();
+    let error = trace(&problem, &plan).unwrap_err().to_string();
+    assert_eq!(error, "trace limit reached at step 30: 4000000 believed states");
 }
 
 #[test]

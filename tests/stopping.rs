@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use mo_copp::limits::{LimitReached, Limits};
-use mo_copp::solver::{Encoding, Horizon, Options, Outcome, Run, Solver, Status};
+use mo_copp::solver::{Encoding, Horizon, Options, Outcome, Run, Solver, Status, abandoned};
 
 use crate::common::random::{self, MEDIUM, PAIR, SMALL};
 use crate::common::{Dice, Judge, Wish, oracle};
@@ -77,12 +77,19 @@ fn a_cancelled_run_keeps_the_best_plan() {
                 break;
             }
         }
+        let progress = run.progress();
         let outcome = run.outcome().unwrap();
         if finished {
             seen[0] += 1;
             assert_same(outcome.clone(), &whole);
         } else {
             assert!(outcome.pareto.is_none());
+            // Left behind without its run, from what was last heard of it.
+            let left = abandoned(&judge.problem, &options, Some(&progress)).unwrap();
+            let status = if left.plan.is_some() { Status::Feasible } else { Status::Limit };
+            assert_eq!((left.status, left.limit), (status, Some(LimitReached::Cancelled)));
+            assert_eq!(left.plan, progress.plan);
+            judge.check_plan(&options, &left, &wish);
             let ending = judge.check_plan(&options, &outcome, &wish);
             // A search that has a plan is done, whoever stops it.
             if outcome.status == Status::Solved {
@@ -303,6 +310,15 @@ fn a_horizon_is_raised_by_steps() {
             Some((horizon, best)) => {
                 let ending = judge.check(&options, &outcome, &wish).unwrap();
                 assert_eq!(outcome.horizon, Some(horizon));
+                if solver != Solver::Ip {
+                    // The work at all horizons counts.
+                    let alone = |horizon| {
+                        let options = Judge::options(solver, Some(horizon), &wish);
+                        judge.solve(&options).stats.expansions
+                    };
+                    let expansions: u64 = (from..=horizon).step_by(step).map(alone).sum();
+                    assert_eq!(outcome.stats.expansions, expansions);
+                }
                 if matches!(solver, Solver::Exact | Solver::Ip) {
                     assert_eq!(oracle::difference(&judge.table, &ending), best);
                 }

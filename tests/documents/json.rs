@@ -3,6 +3,12 @@
 use super::message;
 
 #[test]
+fn texts_that_are_too_long() {
+    let message = message(&" ".repeat(33 << 20));
+    assert_eq!(message, "document: found 33 MiB of text, expected at most 32 MiB");
+}
+
+#[test]
 fn texts_that_are_no_documents() {
     let deep = "[".repeat(200);
     let table = [
