@@ -119,7 +119,7 @@ fn plans_that_cannot_be_carried_out() {
 #[test]
 fn plans_and_traces_that_are_too_long() {
     let problem = corridor();
-    let error = Plan::from_names(problem.task(), &["go"; 10_001]).unwrap_err().to_string();
+    let error = Plan::from_names(problem.task(), &vec!["go"; 10_001]).unwrap_err().to_string();
     assert_eq!(error, "the plan: found 10001 actions, expected at most 10000");
     // 65,536 cells for each observer, and so for each of 2 × 31 beliefs: more than 4 million.
     let cells: Vec<[u32; 2]> = (0..1 << 16).map(|index| [index % 256, index / 256]).collect();
