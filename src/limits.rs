@@ -40,6 +40,9 @@ pub enum LimitReached {
         /// The limit.
         limit: u64,
     },
+    /// The integer programming solver gave up, or contradicted a plan that is known to be there.
+    #[error("the integer programming solver failed for numerical reasons")]
+    Numerical,
     /// Somebody asked for the work to stop.
     #[error("stopped on request")]
     Cancelled,

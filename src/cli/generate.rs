@@ -75,7 +75,7 @@ fn delivery(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
     let default = DeliveryShape::default();
     let packages = args.packages.unwrap_or(default.packages);
     let shape = DeliveryShape {
-        factories: args.factories.unwrap_or(default.factories.min(packages)),
+        factories: args.factories.unwrap_or(default.factories.min(packages).max(1)),
         packages,
         deliver: args.deliver.unwrap_or(default.deliver),
     };

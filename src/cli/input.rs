@@ -31,6 +31,10 @@ pub fn text(path: &Path) -> Result<String, CliError> {
         let reason = format!("found more than {} MiB, expected at most that", MAX_BYTES >> 20);
         return Err(CliError::Read { file, reason });
     }
+    // Some editors begin a text with a mark of its encoding.
+    if bytes.starts_with("\u{feff}".as_bytes()) {
+        bytes.drain(.."\u{feff}".len());
+    }
     String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
         let reason = format!("byte {place}: found something else, expected UTF-8 text");

@@ -11,7 +11,7 @@ mod progress;
 mod solve;
 mod trace;
 
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -37,10 +37,6 @@ pub fn main() -> ExitCode {
     };
     match done {
         Ok(code) => ExitCode::from(code),
-        // Whoever read our output has had enough of it.
-        Err(CliError::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => {
-            ExitCode::SUCCESS
-        }
         Err(CliError::Plan(error @ PlanError::TooManyStates { .. })) => {
             let _ = writeln!(std::io::stderr(), "mo-copp: {error}");
             ExitCode::from(LIMIT)
@@ -69,5 +65,9 @@ fn visible(text: &str) -> String {
 /// Prints a text to the standard output.
 fn print(text: &str) -> Result<(), CliError> {
     let mut output = std::io::stdout().lock();
-    output.write_all(text.as_bytes()).and_then(|()| output.flush()).map_err(CliError::Output)
+    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+        // Whoever read our output has had enough of it; the exit code still says how it went.
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        written => written.map_err(CliError::Output),
+    }
 }

@@ -89,6 +89,7 @@ pub fn solve_watched(
         }
         if stop.load(Ordering::SeqCst) {
             let since = *stopped.get_or_insert_with(Instant::now);
+            bar.set_message("stopping with the best plan found; again to end at once");
             if since.elapsed() >= PATIENCE {
                 break abandoned(problem, options, last.as_ref())?;
             }

@@ -3,7 +3,6 @@
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 
-use super::SolveError;
 use super::outcome::{ParetoPoint, Progress, Stats, Status};
 
 /// Where the work stands after a slice.
@@ -40,25 +39,10 @@ impl Finding {
     }
 }
 
-/// Why a slice ended without an answer.
-#[derive(Debug)]
-pub(super) enum Halt {
-    /// A limit.
-    Limit(LimitReached),
-    /// Something that should not happen.
-    Error(SolveError),
-}
-
-impl From<LimitReached> for Halt {
-    fn from(limit: LimitReached) -> Self {
-        Self::Limit(limit)
-    }
-}
-
 /// A solver at work on one horizon.
 pub(super) trait Engine: Send {
-    /// Works for about `budget` expansions or nodes.
-    fn advance(&mut self, budget: u64) -> Result<Advance, Halt>;
+    /// Works for about `budget` expansions or nodes. A limit ends the work without an answer.
+    fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached>;
 
     /// What can be said when the work stops here.
     fn stop(&mut self, limit: LimitReached) -> Finding;

@@ -11,7 +11,7 @@ use crate::task::StateSpace;
 use crate::trace::{Achievement, validate};
 
 use super::best_first::{baseline, search};
-use super::engine::{Advance, Engine, Finding, Halt};
+use super::engine::{Advance, Engine, Finding};
 use super::exact::{closure, layers};
 use super::outcome::{Outcome, Progress, Stats, Status};
 use super::{Horizon, Options, OptionsError, Solver, ip};
@@ -22,9 +22,6 @@ pub enum SolveError {
     /// The options do not fit the problem.
     #[error(transparent)]
     Options(#[from] OptionsError),
-    /// The integer programming solver gave up for numerical reasons.
-    #[error("the integer programming solver failed: {0}")]
-    Numerical(String),
     /// A plan did not pass its replay. A defect of this program: please report it.
     #[error("internal error: a plan failed its replay: {0}")]
     Replay(String),
@@ -108,7 +105,7 @@ impl Run {
         &self.problem
     }
 
-    fn start(&self) -> Result<Box<dyn Engine>, Halt> {
+    fn start(&self) -> Result<Box<dyn Engine>, LimitReached> {
         let (problem, options) = (Arc::clone(&self.problem), &self.options);
         Ok(match (options.solver, self.horizon) {
             (Solver::Exact, Some(steps)) => Box::new(layers::Layers::new(problem, options, steps)),
@@ -136,7 +133,10 @@ impl Run {
             Some(engine) => engine,
             None => match self.start() {
                 Ok(engine) => engine,
-                Err(halt) => return self.halt(halt, None),
+                Err(limit) => {
+                    self.halt(limit, None);
+                    return Ok(true);
+                }
             },
         };
         match engine.advance(budget) {
@@ -167,15 +167,15 @@ impl Run {
                     }
                 }
             }
-            Err(halt) => self.halt(halt, Some(engine)),
+            Err(limit) => {
+                self.halt(limit, Some(engine));
+                Ok(true)
+            }
         }
     }
 
-    fn halt(&mut self, halt: Halt, engine: Option<Box<dyn Engine>>) -> Result<bool, SolveError> {
-        let limit = match halt {
-            Halt::Limit(limit) => limit,
-            Halt::Error(error) => return Err(error),
-        };
+    /// Makes an answer of what there is when a limit is met.
+    fn halt(&mut self, limit: LimitReached, engine: Option<Box<dyn Engine>>) {
         self.finding = Some(match engine {
             Some(mut engine) => {
                 let finding = engine.stop(limit);
@@ -184,7 +184,6 @@ impl Run {
             }
             None => Finding::stopped(None, limit),
         });
-        Ok(true)
     }
 
     /// What is known so far.

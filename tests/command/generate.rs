@@ -29,6 +29,18 @@ fn sizes_are_heeded_and_bad_ones_refused() {
         (&["gridworld", "--walls", "63"], "walls: found 63, expected a whole number from 0 to 60"),
         (&["gridworld", "--packages", "3"], "packages: found 3, expected nothing"),
         (&["delivery", "--goals", "3"], "goals: found 3, expected nothing"),
+        (
+            &["gridworld", "--width", "1", "--height", "2"],
+            "cells: found 2, expected a whole number from 3 to 65536",
+        ),
+        (
+            &["delivery", "--packages", "0"],
+            "packages: found 0, expected a whole number from 2 to 64",
+        ),
+        (
+            &["delivery", "--packages", "64", "--deliver", "32"],
+            "deliver: found 32 of 64 packages, expected between 2 and 1024 possible sets",
+        ),
         (&["delivery", "--deliver", "6"], "deliver: found 6, expected a whole number from 1 to 5"),
     ] {
         let ran = mo_copp("", &[&["generate"], arguments, &["--seed", "1"]].concat());

@@ -150,3 +150,31 @@ goal difference: 1.000
 work: ";
     assert!(ran.out.starts_with(expected), "{}", ran.out);
 }
+
+#[test]
+fn the_exit_code_is_the_answer_even_when_nobody_reads_it() {
+    use std::io::Write;
+    let mut child = crate::command(&["solve", "-", "--horizon", "0", "--json"]).spawn().unwrap();
+    drop(child.stdout.take());
+    child.stdin.take().unwrap().write_all(GRID.as_bytes()).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(1));
+}
+
+#[test]
+fn a_node_limit_of_0_allows_the_root_alone() {
+    let grid =
+        mo_copp("", &["generate", "gridworld", "--seed", "1", "--width", "4", "--height", "4"]).out;
+    let program =
+        ["--solver", "ip", "--encoding", "paper", "--horizon-step", "1", "--horizon", "6"];
+    let ran =
+        mo_copp(&grid, &[&["solve", "-", "--json", "--node-limit", "0"][..], &program].concat());
+    assert_eq!(ran.json()["stats"]["nodes"], 0, "{}", ran.out);
+    assert_eq!(ran.json()["limit"], "node limit reached: 0 branch-and-bound nodes", "{}", ran.out);
+    assert_eq!((ran.code, ran.json()["status"].as_str()), (0, Some("feasible")), "{}", ran.out);
+}
+
+#[test]
+fn a_mark_of_the_encoding_is_no_part_of_a_document() {
+    let ran = mo_copp(&format!("\u{feff}{EXPLICIT}"), &["solve", "-", "--json"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+}

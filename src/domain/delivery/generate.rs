@@ -3,6 +3,7 @@
 use rand::RngExt;
 
 use super::{Delivery, DeliveryObserver, DeliverySymbols, Factory, LoadSymbols, MAX_PACKAGES};
+use crate::document::DocumentError;
 use crate::domain::Observers;
 use crate::domain::generate::{GenerateError, Generated, draw, in_range, random};
 
@@ -62,6 +63,10 @@ impl DeliveryShape {
         };
         let document =
             Delivery { factories, deliver: self.deliver, true_goal: goal.join("+"), observers };
+        // There may be too many sets of packages, which are the goals.
+        if let Err(DocumentError::Invalid { found, expected, .. }) = document.problem() {
+            return Err(GenerateError::Shape { what: "deliver", found, expected });
+        }
         Ok(Generated { document, redrawn: 0 })
     }
 }

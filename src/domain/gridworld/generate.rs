@@ -97,6 +97,7 @@ impl GridworldShape {
         in_range("width", self.width, 1..=MAX_SIDE)?;
         in_range("height", self.height, 1..=MAX_SIDE)?;
         let area = self.width * self.height;
+        in_range("cells", area, 3..=MAX_SIDE * MAX_SIDE)?;
         let most_goals = area.saturating_sub(1).min(MAX_GOALS as u32);
         in_range("goals", self.goals, 2..=most_goals)?;
         in_range("walls", self.walls, 0..=area - self.goals - 1)?;

@@ -6,7 +6,7 @@ use std::hash::Hash;
 
 use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
-use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::solver::tree::SearchTree;
 use crate::task::Action;
@@ -144,7 +144,7 @@ impl<S: SearchSpace> BestFirst<S> {
 }
 
 impl<S: SearchSpace> Engine for BestFirst<S> {
-    fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
+    fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         for _ in 0..budget {
             if let Some(plan) = self.plan() {
                 return Ok(Advance::Finished(Finding::plan(Status::Solved, plan)));

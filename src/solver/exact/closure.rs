@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::pairs::Pairs;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Node, Problem};
-use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::live::Live;
 use crate::solver::outcome::{Progress, Stats};
 use crate::solver::tree::SearchTree;
@@ -96,7 +96,7 @@ impl Closure {
 }
 
 impl Engine for Closure {
-    fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
+    fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         let live = match self.live.take() {
             Some(live) => live,
             None => {

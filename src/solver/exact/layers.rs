@@ -6,7 +6,7 @@ use super::pairs::{Pairs, allowed};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Node, Problem};
-use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::live::LiveLayers;
 use crate::solver::outcome::{Progress, Stats};
 use crate::solver::tree::SearchTree;
@@ -126,7 +126,7 @@ impl Layers {
 }
 
 impl Engine for Layers {
-    fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
+    fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         let live = match self.live.take() {
             Some(live) => live,
             None => {

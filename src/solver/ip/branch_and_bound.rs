@@ -14,10 +14,10 @@ use super::{Encoded, encode};
 use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::problem::Problem;
-use crate::solver::engine::{Advance, Engine, Finding, Halt};
+use crate::solver::Options;
+use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::exact::layers::Layers;
 use crate::solver::outcome::{Progress, Stats, Status};
-use crate::solver::{Options, SolveError};
 use crate::trace::validate;
 
 /// Bytes that microlp keeps for an open node besides one for each variable and row: the changes of
@@ -92,7 +92,7 @@ impl IntegerProgram {
         problem: Arc<Problem>,
         options: &Options,
         horizon: usize,
-    ) -> Result<Self, Halt> {
+    ) -> Result<Self, LimitReached> {
         let encoded = encode(Arc::clone(&problem), options, horizon)?;
         let stats = encoded.as_ref().map_or_else(Stats::default, |encoded| encoded.spaces);
         Ok(Self {
@@ -147,10 +147,10 @@ impl IntegerProgram {
         }
     }
 
-    fn slice(&mut self, encoded: &Encoded, budget: u64) -> Result<Advance, Halt> {
+    fn slice(&mut self, encoded: &Encoded, budget: u64) -> Result<Advance, LimitReached> {
         let left = self.limits.nodes.saturating_sub(self.stats.nodes);
         let to_check = NODES_BETWEEN_CHECKS - self.stats.nodes % NODES_BETWEEN_CHECKS;
-        let nodes = budget.min(left).min(to_check).max(1);
+        let nodes = budget.max(1).min(left).min(to_check);
         let solved = match std::mem::replace(&mut self.state, State::Done) {
             State::Begin => {
                 self.state = State::New;
@@ -172,15 +172,19 @@ impl IntegerProgram {
         };
         let outcome = match solved {
             Ok(outcome) => outcome,
-            Err(microlp::Error::Infeasible) => {
+            Err(microlp::Error::Infeasible) if self.first.is_none() => {
                 return Ok(Advance::Finished(Finding::infeasible()));
             }
-            Err(error) => return Err(Halt::Error(SolveError::Numerical(error.to_string()))),
+            Err(_) => return Err(LimitReached::Numerical),
         };
         self.note(encoded, &outcome);
         let optimal =
             outcome.solution().is_some_and(|found| found.status() == SolutionStatus::Optimal);
-        if let (true, Some((_, plan))) = (optimal, &self.best) {
+        if let (true, Some((objective, plan))) = (optimal, &self.best) {
+            // The first plan is a witness: an optimum below it is none.
+            if self.first.as_ref().is_some_and(|(first, _)| *first > objective + ROUNDING) {
+                return Err(LimitReached::Numerical);
+            }
             return Ok(Advance::Finished(Finding::plan(Status::Optimal, plan.clone())));
         }
         self.state = State::Working(Box::new(outcome));
@@ -190,14 +194,14 @@ impl IntegerProgram {
             self.limits.check_bytes(self.stats.nodes * of_a_node)?;
         }
         if self.stats.nodes >= self.limits.nodes {
-            return Err(LimitReached::Nodes { limit: self.limits.nodes }.into());
+            return Err(LimitReached::Nodes { limit: self.limits.nodes });
         }
         Ok(Advance::Working)
     }
 }
 
 impl Engine for IntegerProgram {
-    fn advance(&mut self, budget: u64) -> Result<Advance, Halt> {
+    fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         let Some(encoded) = self.encoded.take() else {
             return Ok(Advance::Finished(Finding::infeasible()));
         };
