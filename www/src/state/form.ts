@@ -29,7 +29,7 @@ export const solvers: Record<Solver, { title: string; about: string; fields: rea
   search: {
     title: "Heuristic search",
     about: "The first plan that keeps to both bounds.",
-    fields: ["k", "j"],
+    fields: ["k", "j", "horizon"],
   },
   baseline: {
     title: "Baseline",
@@ -64,5 +64,8 @@ export function optionsOf(form: Form): SolveOptions | string {
   }
   return options;
 }
+
+/** The options of the exact search within the same bounds. */
+export const exactOptions = (form: Form): SolveOptions | string => optionsOf({ ...form, solver: "exact" });
 
 const fieldNames = { k: "k", j: "j", horizon: "The plan length" };

@@ -1,84 +1,168 @@
 // The playground's state, all in one place, and what can be done to it. Views read the signals and call the actions.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { Outcome, Progress, Scene, SolveOptions, Trace, TraceStep } from "../core.js";
+import type { Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import { written } from "../problem/text.js";
+import type { ProblemDocument } from "../problem/types.js";
 import type { Ending, SolverClient } from "../worker/client.js";
-import type { Answered } from "../worker/protocol.js";
-import { emptyForm, type Form, optionsOf } from "./form.js";
-import { Player } from "./player.js";
+import type { Answered, Update } from "../worker/protocol.js";
+import { Coalesce } from "./coalesce.js";
+import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
+import { History } from "./history.js";
+import { Timeline } from "./timeline.js";
+import { Workbench } from "./workbench.js";
 
 export type Status = "idle" | "solving" | "error" | Outcome["status"];
 
-/** What the last solve was asked and answered. */
+/** Whose steps are shown: a plan's, or those of the person who walks, or those that the person sees as the enemy. */
+export type Mode = "plan" | "walk" | "guess";
+
+export interface OpenDocument {
+  text: string;
+  value: ProblemDocument;
+}
+
+/** What a solve was asked and answered. */
 export interface Result {
   options: SolveOptions;
   outcome: Answered;
 }
 
+interface Job {
+  document: OpenDocument;
+  options: SolveOptions;
+  /** Which step to show then. */
+  at: "start" | "end" | "same";
+}
+
 export class Playground {
   /** The document that is open; what is drawn comes from it. */
-  readonly document = signal("");
-  /** What stands in the text field, not opened yet. */
-  readonly draft = signal("");
+  readonly document = signal<OpenDocument | null>(null);
   readonly scene = signal<Scene | null>(null);
-  /** The steps that can be walked through: those of the plan, or the start alone. */
-  readonly trace = signal<Trace | null>(null);
   readonly result = signal<Result | null>(null);
+  /** The exact answer for the document that is open, whatever was solved since. */
+  readonly optimum = signal<Result | null>(null);
   readonly status = signal<Status>("idle");
+  /** Solving takes so long that it should be seen. */
+  readonly slow = signal(false);
   readonly error = signal<string | null>(null);
   readonly progress = signal<Progress | null>(null);
   readonly form = signal<Form>(emptyForm);
-  readonly step = signal(0);
-  readonly playing = signal(false);
+  readonly mode = signal<Mode>("plan");
+  /** What the plan shown is, where it is not the result: "a plan of the trade-off". */
+  readonly chosen = signal<string | null>(null);
+  readonly timeline = new Timeline();
+  readonly history = new History<OpenDocument>();
+  readonly workbench = new Workbench();
 
-  readonly lastStep: ReadonlySignal<number> = computed(() => Math.max(0, (this.trace.value?.steps.length ?? 1) - 1));
-  readonly shown: ReadonlySignal<TraceStep | null> = computed(() => this.trace.value?.steps[this.step.value] ?? null);
+  /** The goal difference at the end of the plan shown; null while there is none. */
+  readonly difference: ReadonlySignal<number | null> = computed(() => {
+    const trace = this.timeline.trace.value;
+    return trace?.valid && this.hasPlan.value ? trace.goal_difference : null;
+  });
+  readonly canReset: ReadonlySignal<boolean> = computed(
+    () => this.origin.value !== null && this.origin.value.text !== this.document.value?.text,
+  );
 
-  private readonly player = new Player();
+  private readonly hasPlan = signal(false);
+  /** The steps of the result, to come back to. */
+  private resultTrace: Trace | null = null;
+  /** The document as it was opened, before any edit. */
+  private readonly origin = signal<OpenDocument | null>(null);
+  /** The newest document that was asked for, while the core has not said whether it is right. */
+  private wanted: OpenDocument | null = null;
+  /** The document before the edit under way. */
+  private before: OpenDocument | null = null;
+  private readonly live = new Coalesce<Job>((job) => this.perform(job));
 
   constructor(private readonly client: SolverClient) {}
 
-  /** Opens a document and solves it. One that can't be read leaves everything as it was. */
-  async open(document: string): Promise<void> {
-    this.pause();
-    batch(() => {
-      this.draft.value = document;
-      this.error.value = null;
-      this.progress.value = null;
-      this.status.value = "solving";
-    });
-    const ending = await this.client.run({ kind: "open", document });
-    if (ending.kind !== "opened") return this.failed(ending);
-    batch(() => {
-      this.document.value = document;
-      this.scene.value = ending.scene;
-      this.show(ending.start, 0);
-      this.result.value = null;
-    });
-    await this.solve();
+  /** What the next edit starts from. */
+  get latest(): ProblemDocument | null {
+    return (this.wanted ?? this.document.value)?.value ?? null;
   }
 
+  /** Opens a document and solves it. One that can't be read leaves everything as it was. */
+  async open(text: string, form: Partial<Form> = {}): Promise<boolean> {
+    let value: ProblemDocument;
+    try {
+      value = JSON.parse(text);
+    } catch {
+      // The core has the better words for it: let it refuse the text.
+      value = { format: "explicit" };
+    }
+    const document = { text, value };
+    const before = this.document.value;
+    const asked = this.form.value;
+    this.form.value = { ...emptyForm, solver: asked.solver, encoding: asked.encoding, ...form };
+    this.live.clear();
+    this.before = null;
+    this.wanted = document;
+    const options = exactOptions(this.form.value);
+    if (typeof options === "string") {
+      this.refuse(options);
+      return false;
+    }
+    this.begin();
+    await this.perform({ document, options, at: "end" });
+    if (this.document.value !== document) {
+      if (this.document.value === before) this.form.value = asked;
+      return false;
+    }
+    if (before !== null && before.text !== text) this.history.record(before);
+    this.origin.value = document;
+    return true;
+  }
+
+  /** Shows an edit with its best plan while it is being made: while something is dragged, say. */
+  preview(value: ProblemDocument): void {
+    this.before ??= this.wanted ?? this.document.value;
+    this.wanted = { value, text: written(value) };
+    this.solveLive(this.wanted);
+  }
+
+  /** The edit is made: it can be undone. */
+  commit(): void {
+    if (this.before !== null && this.before.text !== (this.wanted ?? this.document.value)?.text) {
+      this.history.record(this.before);
+    }
+    this.before = null;
+  }
+
+  /** Makes an edit at once. */
+  apply(value: ProblemDocument): void {
+    this.preview(value);
+    this.commit();
+  }
+
+  undo(): void {
+    this.travel((present) => this.history.undo(present));
+  }
+
+  redo(): void {
+    this.travel((present) => this.history.redo(present));
+  }
+
+  /** Takes every edit back; that, too, can be undone. */
+  reset(): void {
+    if (this.origin.value !== null) this.apply(this.origin.value.value);
+  }
+
+  /** Changes what is asked of the solver. Exact answers follow at once. */
+  edit(change: Partial<Form>): void {
+    this.form.value = { ...this.form.value, ...change };
+    const document = this.wanted ?? this.document.value;
+    if (this.form.value.solver === "exact" && document !== null) this.solveLive(document);
+  }
+
+  /** Runs the solver that was chosen. */
   async solve(): Promise<void> {
-    if (this.scene.value === null) return;
-    this.pause();
+    const document = this.wanted ?? this.document.value;
+    if (document === null) return;
+    this.live.clear();
     const options = optionsOf(this.form.value);
     if (typeof options === "string") return this.refuse(options);
-    batch(() => {
-      this.error.value = null;
-      this.progress.value = null;
-      this.status.value = "solving";
-    });
-    const document = this.document.value;
-    const ending = await this.client.run({ kind: "solve", document, options }, (progress) => {
-      this.progress.value = progress;
-    });
-    if (ending.kind !== "solved") return this.failed(ending);
-    batch(() => {
-      this.result.value = { options, outcome: ending.outcome };
-      this.status.value = ending.outcome.status;
-      this.progress.value = null;
-      if (ending.trace !== null) this.show(ending.trace, ending.trace.steps.length - 1);
-      else this.showStart();
-    });
+    this.begin();
+    await this.perform({ document, options, at: "end" });
   }
 
   /** Ends the solve under way; the best plan found so far is kept. */
@@ -86,31 +170,50 @@ export class Playground {
     this.client.cancel();
   }
 
-  edit(change: Partial<Form>): void {
-    this.form.value = { ...this.form.value, ...change };
-  }
-
-  goTo(step: number): void {
-    this.pause();
-    this.step.value = Math.min(this.lastStep.value, Math.max(0, step));
-  }
-
-  /** Plays from the step shown, or from the start when the last is shown. */
-  play(): void {
-    if (this.lastStep.value === 0) return;
-    if (this.step.value === this.lastStep.value) this.step.value = 0;
-    this.playing.value = true;
-    this.player.start(() => {
-      this.step.value += 1;
-      if (this.step.value < this.lastStep.value) return true;
-      this.playing.value = false;
-      return false;
+  /** Shows another plan than the result's: `title` says whose. */
+  async showPlan(plan: string[], title: string): Promise<void> {
+    const trace = await this.replay(plan);
+    if (trace === null) return;
+    batch(() => {
+      this.mode.value = "plan";
+      this.chosen.value = title;
+      this.hasPlan.value = true;
+      this.timeline.pause();
+      this.timeline.show(trace, "end");
     });
   }
 
-  pause(): void {
-    this.player.stop();
-    this.playing.value = false;
+  /** Shows the result's plan again. */
+  showResult(): void {
+    const trace = this.resultTrace;
+    batch(() => {
+      this.mode.value = "plan";
+      this.chosen.value = null;
+      this.timeline.pause();
+      if (trace !== null) this.timeline.show(trace, "end");
+      this.hasPlan.value = (this.result.value?.outcome.plan ?? null) !== null;
+    });
+  }
+
+  /** Shows steps that are no solver's, in the mode they belong to. */
+  showWalk(mode: Mode, trace: Trace, at: "start" | "end"): void {
+    batch(() => {
+      this.mode.value = mode;
+      this.chosen.value = null;
+      this.hasPlan.value = true;
+      this.timeline.pause();
+      this.timeline.show(trace, at);
+    });
+  }
+
+  /** The steps of a plan on the open document; null where it has no such steps, and the page says why. */
+  async replay(plan: string[]): Promise<Trace | null> {
+    const document = this.document.value;
+    if (document === null) return null;
+    const ending = await this.client.run({ kind: "trace", document: document.text, plan });
+    if (ending.kind === "traced") return ending.trace;
+    this.failed(ending);
+    return null;
   }
 
   /** Says that something can't be used, and leaves the rest as it is. */
@@ -120,29 +223,97 @@ export class Playground {
   }
 
   dispose(): void {
-    this.pause();
+    this.timeline.pause();
+    this.live.clear();
     this.client.dispose();
     if (this.status.value === "solving") this.status.value = "idle";
   }
 
-  private show(trace: Trace, step: number): void {
-    this.trace.value = trace;
-    this.step.value = step;
+  private travel(step: (present: OpenDocument) => OpenDocument | undefined): void {
+    const present = this.wanted ?? this.document.value;
+    const target = present === null ? undefined : step(present);
+    if (target === undefined) return;
+    this.before = null;
+    this.wanted = target;
+    this.solveLive(target);
   }
 
-  /** Without a plan there is the start alone to see. */
-  private showStart(): void {
-    const start = this.trace.value?.steps[0];
-    if (start !== undefined) {
-      this.show({ valid: true, steps: [start], goal_difference: start.goal_difference }, 0);
+  private solveLive(document: OpenDocument): void {
+    this.timeline.pause();
+    const options = exactOptions(this.form.value);
+    if (typeof options === "string") {
+      this.refuse(options);
+      return;
     }
+    this.begin();
+    this.live.ask({ document, options, at: "same" });
+  }
+
+  private begin(): void {
+    this.timeline.pause();
+    batch(() => {
+      this.error.value = null;
+      this.status.value = "solving";
+    });
+  }
+
+  private async perform({ document, options, at }: Job): Promise<void> {
+    this.progress.value = null;
+    const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) =>
+      this.update(document, update, at),
+    );
+    if (ending.kind !== "solved") return this.failed(ending);
+    const { scene, outcome, trace } = ending;
+    batch(() => {
+      this.take(document, scene);
+      this.result.value = { options, outcome };
+      if (options.solver === "exact") this.optimum.value = this.result.value;
+      this.status.value = outcome.status;
+      this.progress.value = null;
+      this.slow.value = false;
+      this.mode.value = "plan";
+      this.chosen.value = null;
+      this.hasPlan.value = outcome.plan !== null;
+      this.resultTrace = trace;
+      this.timeline.show(trace, at);
+    });
+  }
+
+  private update(document: OpenDocument, update: Update, at: Job["at"]): void {
+    batch(() => {
+      if (update.kind === "progress") {
+        this.progress.value = update.progress;
+        return;
+      }
+      this.slow.value = true;
+      if (this.document.value === document) return;
+      this.take(document, update.scene);
+      this.result.value = null;
+      this.resultTrace = update.start;
+      this.mode.value = "plan";
+      this.chosen.value = null;
+      this.hasPlan.value = false;
+      this.timeline.show(update.start, at);
+    });
+  }
+
+  private take(document: OpenDocument, scene: Scene): void {
+    if (this.wanted === document) this.wanted = null;
+    if (this.document.value === document) return;
+    this.document.value = document;
+    this.scene.value = scene;
+    this.optimum.value = null;
   }
 
   private failed(ending: Ending): void {
     // What came after a stale task sets the state itself.
     if (ending.kind !== "refused" && ending.kind !== "lost") return;
+    this.wanted = null;
+    const present = this.document.value;
+    if (present !== null) this.history.forget(present);
     batch(() => {
       this.progress.value = null;
+      this.slow.value = false;
       this.status.value = "error";
       this.error.value =
         ending.kind === "refused"

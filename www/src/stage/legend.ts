@@ -1,8 +1,8 @@
 // What the signs on the boards mean.
 import { html, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import type { Playground } from "../state/playground.js";
-import { starPath } from "./board-goal.js";
-import { isGrid } from "./grid.js";
+import { starPath } from "../view/icons.js";
+import { isGrid } from "./grid/cells.js";
 
 const sample = (mark: SVGTemplateResult, meaning: string) =>
   html`<li><svg class="board" viewBox="0 0 1 1" aria-hidden="true">${mark}</svg>${meaning}</li>`;
@@ -24,6 +24,7 @@ const signs: TemplateResult = html`<ul class="legend" aria-label="What the signs
   ${sample(svg`<circle class="start" cx="0.5" cy="0.5" r="0.3"></circle>`, "start")}
   ${sample(tile, "the agent may be here")}
   ${sample(svg`<circle class="hidden-here" cx="0.5" cy="0.5" r="0.4"></circle>`, "where it really is")}
-  ${sample(svg`<g class="goal alive">${badge}</g>`, "it may be at this goal")}
-  ${sample(svg`<g class="goal dead">${badge}${strike}</g>`, "this goal is ruled out")}
+  ${sample(svg`<path class="mark enemy on" d="M0.5 0.12l0.38 0.38l-0.38 0.38l-0.38-0.38z"></path>`, "goal possible for the enemy")}
+  ${sample(svg`<circle class="mark friend on" cx="0.5" cy="0.5" r="0.34"></circle>`, "goal possible for the friend")}
+  ${sample(svg`<g class="goal dead">${badge}${strike}</g>`, "goal ruled out")}
 </ul>`;

@@ -2,10 +2,10 @@
 import { html, type TemplateResult } from "lit";
 import type { Outcome, Progress, SolveOptions } from "../core.js";
 import type { Playground, Result } from "../state/playground.js";
-import { shortNumber, wholeNumber } from "./numbers.js";
+import { shortNumber, wholeNumber } from "../view/numbers.js";
 
 export function result(playground: Playground): TemplateResult {
-  const solving = playground.status.value === "solving";
+  const solving = playground.status.value === "solving" && playground.slow.value;
   const last = playground.result.value;
   // Only the answer is announced: progress changes many times a second.
   return html`<div class="result">

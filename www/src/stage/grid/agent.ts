@@ -1,9 +1,9 @@
 // The agent on a board: where it started, its way, and where it is. The observers' boards show it as a mere outline,
 // for the reader: the observers do not see it.
-import { svg } from "lit";
-import type { State, Trace } from "../core.js";
-import type { BoardName } from "./board.js";
-import { type Cell, cellOf, type GridScene, keyOf } from "./grid.js";
+import { nothing, svg } from "lit";
+import type { State, Trace } from "../../core.js";
+import type { BoardName } from "../board-input.js";
+import { type Cell, cellOf, type GridScene, keyOf } from "./cells.js";
 
 export function start([column, row]: Cell) {
   return svg`<circle class="start" cx=${column + 0.5} cy=${row + 0.5} r="0.2"></circle>`;
@@ -19,7 +19,9 @@ export function path(trace: Trace, step: number) {
     <polyline class="walked" points=${points.slice(0, step + 1).join(" ")}></polyline>`;
 }
 
-export function agent(board: BoardName, scene: GridScene, state: State) {
+/** `secret`: the reader is the enemy, and does not see it either. */
+export function agent(board: BoardName, scene: GridScene, state: State, secret: boolean) {
+  if (secret) return nothing;
   const [column, row] = cellOf(state);
   const onGoal = scene.goals.some(({ cell }) => keyOf(cell) === keyOf([column, row]));
   // On a goal's cell it becomes a ring, so that the goal stays readable.

@@ -1,7 +1,7 @@
 // Whether each candidate goal survives for each observer at the step shown: one reading for every view,
 // and the stable attributes that course styles and checks rely on.
 import type { Scene, TraceStep } from "../core.js";
-import type { Role } from "./observers.js";
+import type { Role } from "../view/observers.js";
 
 export interface GoalView {
   name: string;

@@ -1,25 +1,27 @@
 // The problem as its document: typed, pasted or read from a file.
+import { signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
-import { exampleDocument } from "../state/example.js";
+import { exampleDocument } from "../problem/example.js";
 import type { Playground } from "../state/playground.js";
 
 /** No problem that can be drawn is larger; a file by mistake should not stall the page. */
 const LARGEST_FILE = 2_000_000;
 
+/** What stands in the text field; null where it is the document that is open. */
+const draft = signal<string | null>(null);
+
 export function documentForm(playground: Playground): TemplateResult {
   const submit = (event: Event) => {
     event.preventDefault();
-    void playground.open(playground.draft.value);
+    void playground.open(draft.value ?? playground.document.value?.text ?? "");
   };
-  return html`<details class="card document">
-    <summary>The problem, as a document</summary>
-    <form @submit=${submit}>
+  return html`<form class="document" @submit=${submit}>
       <label>
         <span>Problem document (JSON)</span>
         <textarea name="document" rows="14" spellcheck="false" autocapitalize="off" autocomplete="off"
-          .value=${playground.draft.value}
+          .value=${draft.value ?? playground.document.value?.text ?? ""}
           @input=${(event: Event) => {
-            playground.draft.value = (event.target as HTMLTextAreaElement).value;
+            draft.value = (event.target as HTMLTextAreaElement).value;
           }}></textarea>
       </label>
       <div class="actions">
@@ -30,8 +32,7 @@ export function documentForm(playground: Playground): TemplateResult {
           <input type="file" accept=".json,application/json" @change=${(event: Event) => openFile(playground, event)} />
         </label>
       </div>
-    </form>
-  </details>`;
+    </form>`;
 }
 
 async function openFile(playground: Playground, event: Event): Promise<void> {

@@ -1,0 +1,22 @@
+// The goal difference at the step shown, and what it is made of.
+import { html, type TemplateResult } from "lit";
+import type { Playground } from "../state/playground.js";
+import { shortNumber } from "../view/numbers.js";
+
+export function goalDifference(playground: Playground): TemplateResult | "" {
+  const scene = playground.scene.value;
+  const { shown, step, lastStep } = playground.timeline;
+  if (scene === null || shown.value === null) return "";
+  const { adversarial, cooperative } = shown.value.goals;
+  const value = shortNumber(shown.value.goal_difference);
+  const final = playground.difference.value;
+  const atEnd = step.value === lastStep.value;
+  return html`<div class="difference">
+    <p class="value"><span>Goal difference</span> <b>${value}</b></p>
+    <p class="parts" title="goals possible for the enemy minus goals possible for the friend, over the number of goals minus one">
+      (<b class="enemy">${adversarial.length}</b> for the enemy − <b class="friend">${cooperative.length}</b> for the
+      friend) ÷ (${scene.goals.length} − 1)
+    </p>
+    <p class="final">${final === null ? "No plan yet." : atEnd ? "The plan ends here." : `At the end of the plan: ${shortNumber(final)}.`}</p>
+  </div>`;
+}

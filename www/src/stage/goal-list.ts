@@ -1,0 +1,44 @@
+// The candidate goals, and whether each is possible for each observer: at the step shown, and at the end.
+import { html, type TemplateResult } from "lit";
+import type { Playground } from "../state/playground.js";
+import { possible, ruledOut, star } from "../view/icons.js";
+import { called, type Role, roles } from "../view/observers.js";
+import { type GoalView, goalViews } from "./goal-attributes.js";
+
+export function goalList(playground: Playground): TemplateResult | "" {
+  const scene = playground.scene.value;
+  const { shown, trace } = playground.timeline;
+  const end = trace.value?.steps.at(-1);
+  if (scene === null || shown.value === null || end === undefined) return "";
+  const ends = goalViews(scene, end);
+  return html`<table class="goals">
+    <caption>Which goals are possible?</caption>
+    <thead>
+      <tr>
+        <th scope="col">Goal</th>
+        ${roles.map((role) => html`<th scope="col" class=${role}>For the ${called[role]}</th>`)}
+      </tr>
+    </thead>
+    <tbody>
+      ${goalViews(scene, shown.value).map(
+        (goal, index) => html`<tr data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
+          data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
+          <th scope="row">
+            <span class="name">${goal.name}</span>
+            ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
+          </th>
+          ${roles.map((role) => survival(role, goal, ends[index]))}
+        </tr>`,
+      )}
+    </tbody>
+  </table>`;
+}
+
+function survival(role: Role, goal: GoalView, end: GoalView | undefined): TemplateResult {
+  const alive = goal.alive[role];
+  const later = end?.alive[role] ?? alive;
+  return html`<td class="${role} ${alive ? "alive" : "dead"}">
+    ${alive ? possible : ruledOut}${alive ? "possible" : "ruled out"}
+    <span class="end">${later ? "possible at the end" : "ruled out at the end"}</span>
+  </td>`;
+}

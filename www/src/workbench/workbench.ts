@@ -1,0 +1,57 @@
+// The workbench: everything that can be done with the problem shown, one tab for each kind of work.
+import { html, type TemplateResult } from "lit";
+import { documentForm } from "../share/document-form.js";
+import { solverForm } from "../solve/solver-form.js";
+import type { Playground } from "../state/playground.js";
+import type { Workbench } from "../state/workbench.js";
+
+export interface Tab {
+  name: string;
+  title: string;
+  panel: (playground: Playground) => TemplateResult | "";
+}
+
+/** The tabs, in the order shown. */
+export const tabs: readonly Tab[] = [
+  { name: "solve", title: "Solve", panel: solverForm },
+  { name: "document", title: "Document", panel: documentForm },
+];
+
+export function workbench(playground: Playground): TemplateResult {
+  const bench = playground.workbench;
+  const open = bench.tab.value;
+  return html`<section class="card workbench" aria-label="Workbench">
+    <div class="tabs" role="tablist" aria-label="Workbench" @keydown=${keys(bench)}>
+      ${tabs.map(
+        ({
+          name,
+          title,
+        }) => html`<button type="button" role="tab" id="tab-${name}" aria-selected=${String(name === open)}
+          aria-controls="panel-${name}" tabindex=${name === open ? 0 : -1} @click=${() => bench.open(name)}>${title}</button>`,
+      )}
+    </div>
+    ${tabs.map(
+      ({ name, panel }) => html`<div class="tab-panel" role="tabpanel" id="panel-${name}" aria-labelledby="tab-${name}"
+        ?hidden=${name !== open}>${name === open ? panel(playground) : ""}</div>`,
+    )}
+  </section>`;
+}
+
+/** Arrow keys, Home and End go through the tabs, as in any list of tabs. */
+function keys(bench: Workbench) {
+  return (event: KeyboardEvent) => {
+    const at = tabs.findIndex(({ name }) => name === bench.tab.value);
+    const target: Record<string, number> = {
+      ArrowLeft: (at - 1 + tabs.length) % tabs.length,
+      ArrowRight: (at + 1) % tabs.length,
+      Home: 0,
+      End: tabs.length - 1,
+    };
+    const tab = tabs[target[event.key] ?? -1];
+    if (tab === undefined) return;
+    event.preventDefault();
+    bench.open(tab.name);
+    const list = event.currentTarget as HTMLElement;
+    list.querySelector<HTMLElement>(`#tab-${tab.name}`)?.focus();
+  };
+}
