@@ -1,8 +1,10 @@
 // The playground's state, all in one place, and what can be done to it. Views read the signals and call the actions.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import { Gallery } from "../gallery/gallery.js";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
+import { Draft } from "../share/draft.js";
 import type { Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
 import { Coalesce } from "./coalesce.js";
@@ -53,6 +55,8 @@ export class Playground {
   readonly timeline = new Timeline();
   readonly history = new History<OpenDocument>();
   readonly workbench = new Workbench();
+  readonly gallery = new Gallery(this);
+  readonly draft = new Draft(this);
 
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null> = computed(() => {
