@@ -49,7 +49,7 @@ function card(name: BoardName, goal: GoalView, { width }: Cards, x: number, y: n
       ?data-true-goal=${goal.isTrue}>
     <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
     <rect class="badge" width=${width} height=${CARD_HEIGHT - 0.15} rx="0.2"></rect>
-    ${goal.name.split("+").map((pack, index) => smallPackage(pack, pack, { x: 0.18 + index * SIZE, y: 0.2 }, SIZE - 0.08, "here"))}
+    ${goal.name.split("+").map((pack, index) => smallPackage(pack, pack, { x: 0.18 + index * SIZE, y: 0.2 }, SIZE - 0.08, "solid"))}
     ${look === "dead" ? svg`<line class="strike" x1="0.06" y1=${CARD_HEIGHT - 0.2} x2=${width - 0.06} y2="0.06"></line>` : nothing}
     ${name === "actor" ? svg`<g transform="translate(${width / 2} ${CARD_HEIGHT - 0.5}) scale(1.2)">${marks(goal, (width - 0.5) / 2.4)}</g>` : nothing}
     ${goal.isTrue ? svg`<path class="star" transform="translate(${width - 0.08} 0.06) scale(0.32)" d=${starPath}></path>` : nothing}

@@ -6,7 +6,7 @@ const LONGEST = 3;
 
 /** `share`: in how much of the belief it is in the truck, which fills the box from below; the agent's board knows. */
 export function shelfPackage(name: string, { x, y }: Spot, share: number, known: boolean) {
-  const kind = share === 1 ? "gone" : share > 0 ? "perhaps" : "here";
+  const kind = share === 1 ? "gone" : share > 0 ? "perhaps" : "solid";
   const meaning = known
     ? share === 1
       ? "in the truck"

@@ -55,7 +55,7 @@ function cargo(name: BoardName, { scene, trace, step, shown }: DeliveryInput) {
       .find((pack) => isLoaded(now.state, pack) && !isLoaded(before.state, pack));
     if (added === undefined) continue;
     if (name === "actor") {
-      goods.push({ label: added, title: added, kind: "here" });
+      goods.push({ label: added, title: added, kind: "solid" });
     } else {
       const symbol = now.symbols[name] ?? "";
       const sure = shown.beliefs[name].every((state) => isLoaded(state, added));
