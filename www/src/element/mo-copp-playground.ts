@@ -50,5 +50,6 @@ export class MoCoppPlayground extends SignalElement {
     if (difference.value === null) delete this.dataset.gd;
     else this.dataset.gd = String(difference.value);
     followSymbols(this);
+    void this.playground.walker.follow();
   }
 }

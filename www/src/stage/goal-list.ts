@@ -24,14 +24,15 @@ export function goalList(playground: Playground): TemplateResult | "" {
         (goal, index) => html`<tr data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
           data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
           <th scope="row">
-            <span class="name">${goal.name}</span>
+            <button type="button" class="choose name" title="Show when it dies" @click=${() => playground.story.choose(goal.name)}>${goal.name}</button>
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
           </th>
           ${roles.map((role) => survival(role, goal, ends[index]))}
         </tr>`,
       )}
     </tbody>
-  </table>`;
+  </table>
+  <p class="story" role="status">${playground.mode.value === "guess" ? "" : playground.story.sentence.value || "Choose a goal to see when it dies, and by which symbol."}</p>`;
 }
 
 function survival(role: Role, goal: GoalView, end: GoalView | undefined): TemplateResult {

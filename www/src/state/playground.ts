@@ -1,14 +1,17 @@
 // The playground's state, all in one place, and what can be done to it. Views read the signals and call the actions.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import type { NextAction, Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
 import type { Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
 import { Coalesce } from "./coalesce.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
+import { GoalStory } from "./goal-story.js";
+import { Guess } from "./guess.js";
 import { History } from "./history.js";
 import { Timeline } from "./timeline.js";
+import { Walk } from "./walk.js";
 import { Workbench } from "./workbench.js";
 
 export type Status = "idle" | "solving" | "error" | Outcome["status"];
@@ -53,9 +56,13 @@ export class Playground {
   readonly timeline = new Timeline();
   readonly history = new History<OpenDocument>();
   readonly workbench = new Workbench();
+  readonly story = new GoalStory(this.timeline);
+  readonly walker = new Walk(this);
+  readonly guess = new Guess(this);
 
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null> = computed(() => {
+    if (this.mode.value === "guess") return null;
     const trace = this.timeline.trace.value;
     return trace?.valid && this.hasPlan.value ? trace.goal_difference : null;
   });
@@ -183,7 +190,7 @@ export class Playground {
     });
   }
 
-  /** Shows the result's plan again. */
+  /** Shows what was solved again. */
   showResult(): void {
     const trace = this.resultTrace;
     batch(() => {
@@ -216,6 +223,17 @@ export class Playground {
     return null;
   }
 
+  /** The steps of a plan and what can be done after it; a sentence where the plan has no such steps. */
+  async walk(plan: string[]): Promise<{ trace: Trace; next: NextAction[] } | string | null> {
+    const document = this.document.value;
+    if (document === null) return null;
+    const ending = await this.client.run({ kind: "walk", document: document.text, plan });
+    if (ending.kind === "walked") return ending;
+    if (ending.kind === "refused") return ending.message;
+    this.failed(ending);
+    return null;
+  }
+
   /** Says that something can't be used, and leaves the rest as it is. */
   refuse(message: string): void {
     this.client.drop();
@@ -226,6 +244,8 @@ export class Playground {
     this.timeline.pause();
     this.live.clear();
     this.client.dispose();
+    this.walker.dispose();
+    this.guess.dispose();
     if (this.status.value === "solving") this.status.value = "idle";
   }
 
@@ -251,6 +271,7 @@ export class Playground {
 
   private begin(): void {
     this.timeline.pause();
+    this.guess.end();
     batch(() => {
       this.error.value = null;
       this.status.value = "solving";
@@ -303,6 +324,7 @@ export class Playground {
     this.document.value = document;
     this.scene.value = scene;
     this.optimum.value = null;
+    this.story.forget();
   }
 
   private failed(ending: Ending): void {

@@ -10,22 +10,36 @@ import { smallPackage } from "./package.js";
 
 /** More would be too small to read; the list beside the boards has them all. */
 const MOST = 30;
-const SIZE = 0.72;
-const CARD_HEIGHT = 1.3;
+/** How large the packages of a goal are drawn: as large as three rows allow. */
+const SIZES = [1.15, 0.95, 0.75];
+const ROWS = 3;
 
 interface Cards {
   count: number;
   columns: number;
   width: number;
   height: number;
+  /** The width of a package. */
+  size: number;
 }
 
 /** How the cards are laid out; without any where they would not be readable. */
 export function cardsOf({ scene }: DeliveryInput): Cards {
-  const width = scene.deliver * SIZE + 0.35;
-  const columns = Math.floor(WIDTH / (width + 0.2));
-  const count = columns === 0 || scene.goals.length > MOST ? 0 : scene.goals.length;
-  return { count, columns, width, height: count === 0 ? 0 : Math.ceil(count / columns) * (CARD_HEIGHT + 0.35) + 0.4 };
+  const fits = (size: number) => {
+    const width = scene.deliver * size + 0.35;
+    const columns = Math.floor(WIDTH / (width + 0.15));
+    return {
+      width,
+      columns,
+      size,
+      rows: columns === 0 ? Number.POSITIVE_INFINITY : Math.ceil(scene.goals.length / columns),
+    };
+  };
+  const choices = SIZES.map(fits);
+  const best = choices.find(({ rows }) => rows <= ROWS) ?? choices.at(-1);
+  const count = best === undefined || best.columns === 0 || scene.goals.length > MOST ? 0 : scene.goals.length;
+  const { width = 0, columns = 0, size = 0, rows = 0 } = best ?? {};
+  return { count, columns, width, size, height: count === 0 ? 0 : rows * (size + 0.85) + 0.3 };
 }
 
 export function goalCards(name: BoardName, input: DeliveryInput, cards: Cards, top: number) {
@@ -37,21 +51,22 @@ export function goalCards(name: BoardName, input: DeliveryInput, cards: Cards, t
       goal,
       cards,
       (index % cards.columns) * pitch + 0.1,
-      top + Math.floor(index / cards.columns) * (CARD_HEIGHT + 0.35),
+      top + Math.floor(index / cards.columns) * (cards.size + 0.85),
     ),
   );
 }
 
-function card(name: BoardName, goal: GoalView, { width }: Cards, x: number, y: number) {
+function card(name: BoardName, goal: GoalView, { width, size }: Cards, x: number, y: number) {
+  const height = size + 0.4;
   const look = name === "actor" ? "plain" : goal.attributes[name];
   return svg`<g class="goal set ${look}" transform="translate(${x} ${y})" data-goal=${goal.name}
       data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
       ?data-true-goal=${goal.isTrue}>
     <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
-    <rect class="badge" width=${width} height=${CARD_HEIGHT - 0.15} rx="0.2"></rect>
-    ${goal.name.split("+").map((pack, index) => smallPackage(pack, pack, { x: 0.18 + index * SIZE, y: 0.2 }, SIZE - 0.08, "solid"))}
-    ${look === "dead" ? svg`<line class="strike" x1="0.06" y1=${CARD_HEIGHT - 0.2} x2=${width - 0.06} y2="0.06"></line>` : nothing}
-    ${name === "actor" ? svg`<g transform="translate(${width / 2} ${CARD_HEIGHT - 0.5}) scale(1.2)">${marks(goal, (width - 0.5) / 2.4)}</g>` : nothing}
+    <rect class="badge" width=${width} height=${height} rx="0.2"></rect>
+    ${goal.name.split("+").map((pack, index) => smallPackage(pack, pack, { x: 0.18 + index * size, y: 0.16 }, size - 0.08, "solid"))}
+    ${look === "dead" ? svg`<line class="strike" x1="0.06" y1=${height - 0.06} x2=${width - 0.06} y2="0.06"></line>` : nothing}
+    ${name === "actor" ? svg`<g transform="translate(${width / 2} ${height - 0.41}) scale(1.4)">${marks(goal, (width - 0.5) / 2.8)}</g>` : nothing}
     ${goal.isTrue ? svg`<path class="star" transform="translate(${width - 0.08} 0.06) scale(0.32)" d=${starPath}></path>` : nothing}
   </g>`;
 }
