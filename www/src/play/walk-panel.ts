@@ -22,7 +22,7 @@ export function walkPanel(playground: Playground): TemplateResult {
     <div class="actions">
       <button type="button" ?disabled=${step.value === 0} @click=${() => void walk.back()}>Take back a step</button>
       <button type="button" ?disabled=${step.value === 0} @click=${() => void walk.start()}>Start over</button>
-      <button type="button" @click=${() => walk.leave()}>Give the plan back to the solver</button>
+      <button type="button" @click=${() => walk.leave()}>Stop walking</button>
     </div>
     <div role="status" class="result">
       ${walk.message.value === "" ? "" : html`<p>${walk.message.value}</p>`} ${judged(walk, walk.verdict.value)}
@@ -36,7 +36,7 @@ function pad(walk: Walk): TemplateResult {
   const names = [...Object.values(arrows).map(({ action }) => action), ...(possible.has("stay") ? ["stay"] : [])];
   return html`<div class="pad">
     ${names.map(
-      (action) => html`<button type="button" class="sign ${action}" aria-label=${action} title=${action}
+      (action) => html`<button type="button" class="sign main ${action}" aria-label=${action} title=${action}
         aria-disabled=${String(!possible.has(action))} @click=${() => void walk.take(action)}>${
           Object.values(arrows).find((arrow) => arrow.action === action)?.sign ?? "·"
         }</button>`,

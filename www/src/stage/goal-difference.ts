@@ -17,6 +17,6 @@ export function goalDifference(playground: Playground): TemplateResult | "" {
       (<b class="enemy">${adversarial.length}</b> for the enemy − <b class="friend">${cooperative.length}</b> for the
       friend) ÷ (${scene.goals.length} − 1)
     </p>
-    <p class="final">${final === null ? "No plan yet." : atEnd ? "The plan ends here." : `At the end of the plan: ${shortNumber(final)}.`}</p>
+    <p class="final">${final === null ? (playground.mode.value === "walk" ? "You are not at the true goal." : "No plan yet.") : atEnd ? "The plan ends here." : `At the end of the plan: ${shortNumber(final)}.`}</p>
   </div>`;
 }

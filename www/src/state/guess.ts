@@ -1,6 +1,6 @@
 // You are the enemy: a plan for a goal that you do not know, seen through the enemy's symbols alone, and a guess.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { Scene, Trace } from "../core.js";
+import type { Scene, Trace, TraceStep } from "../core.js";
 import { written } from "../problem/text.js";
 import { SolverClient } from "../worker/client.js";
 import type { Playground } from "./playground.js";
@@ -91,7 +91,7 @@ export class Guess {
       this.round.value = { kind: "guessing" };
       // No view can tell which goal is the true one.
       this.playground.scene.value = { ...scene, true_goal: "" };
-      this.playground.showWalk("guess", trace, "start");
+      this.playground.showWalk("guess", { ...trace, goal_difference: 0, steps: trace.steps.map(enemysView) }, "start");
     });
   }
 }
@@ -100,4 +100,16 @@ export class Guess {
 function drawn(count: number): number {
   const [value = 0] = crypto.getRandomValues(new Uint32Array(1));
   return value % count;
+}
+
+/** A step with nothing in it that the enemy is not told. (The state stays for the drawing, which hides it.) */
+function enemysView(step: TraceStep): TraceStep {
+  return {
+    ...step,
+    action: null,
+    symbols: { ...step.symbols, cooperative: null },
+    beliefs: { ...step.beliefs, cooperative: [] },
+    goals: { ...step.goals, cooperative: [] },
+    goal_difference: 0,
+  };
 }

@@ -21,7 +21,9 @@ export const tabs: readonly Tab[] = [
 
 export function workbench(playground: Playground): TemplateResult {
   const bench = playground.workbench;
-  const open = bench.tab.value;
+  // The other tabs would tell the enemy what it must not know.
+  const guessing = playground.mode.value === "guess";
+  const open = guessing ? "play" : bench.tab.value;
   return html`<section class="card workbench" aria-label="Workbench">
     <div class="tabs" role="tablist" aria-label="Workbench" @keydown=${keys(bench)}>
       ${tabs.map(
@@ -29,7 +31,7 @@ export function workbench(playground: Playground): TemplateResult {
           name,
           title,
         }) => html`<button type="button" role="tab" id="tab-${name}" aria-selected=${String(name === open)}
-          aria-controls="panel-${name}" tabindex=${name === open ? 0 : -1} @click=${() => bench.open(name)}>${title}</button>`,
+          aria-controls="panel-${name}" tabindex=${name === open ? 0 : -1} ?disabled=${guessing && name !== open} @click=${() => bench.open(name)}>${title}</button>`,
       )}
     </div>
     ${tabs.map(
