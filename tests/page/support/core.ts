@@ -15,3 +15,7 @@ export function solve(document: string, options: SolveOptions): { outcome: Outco
   const outcome = run.outcome();
   return { outcome, trace: problem.trace(outcome.plan ?? []) };
 }
+
+export function replay(document: string, plan: string[]): Trace {
+  return new Problem(document).trace(plan);
+}

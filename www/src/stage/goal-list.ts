@@ -26,8 +26,12 @@ export function goalList(playground: Playground): TemplateResult | "" {
         (goal, index) => html`<tr data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
           data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
           <th scope="row">
-            <button type="button" class="choose name" title="Show when it dies" ?disabled=${guessing}
-              @click=${() => playground.story.choose(goal.name)}>${goal.name}</button>
+            ${
+              guessing
+                ? html`<span class="name">${goal.name}</span>`
+                : html`<button type="button" class="choose name" title="Show when it dies"
+                    @click=${() => playground.story.choose(goal.name)}>${goal.name}</button>`
+            }
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
           </th>
           ${shownRoles.map((role) => survival(role, goal, guessing ? undefined : ends[index]))}
