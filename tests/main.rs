@@ -13,6 +13,8 @@ mod exact;
 mod golden;
 mod highs;
 mod integer_programs;
+mod lengths;
+mod next_actions;
 mod observers;
 mod regressions;
 mod search;

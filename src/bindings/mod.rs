@@ -17,13 +17,13 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::domain::Document;
-use crate::plan::Plan;
+use crate::plan::{Plan, next_actions};
 use crate::problem;
-use crate::report::{ProgressReport, Scene, SolveReport, TraceReport, read_options};
+use crate::report::{NextReport, ProgressReport, Scene, SolveReport, TraceReport, read_options};
 use crate::solver;
 use crate::trace::trace;
 use error::thrown;
-use types::{OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs};
+use types::{NextActionsJs, OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs};
 
 /// Shows panics on the console with their message.
 #[wasm_bindgen(start)]
@@ -69,10 +69,19 @@ impl Problem {
 
     /// Replays a plan. Throws a `PlanError` that names the step.
     pub fn trace(&self, plan: Vec<String>) -> Result<TraceJs, JsValue> {
-        let failed = |e: crate::plan::PlanError| thrown("PlanError", &e.to_string());
-        let plan = Plan::from_names(self.problem.task(), &plan).map_err(failed)?;
-        let trace = trace(&self.problem, &plan).map_err(failed)?;
+        let plan = self.plan(&plan)?;
+        let trace = trace(&self.problem, &plan).map_err(|e| error::plan(&e))?;
         to_js(&TraceReport::new(&self.problem, &trace))
+    }
+
+    /// The actions that can be taken after a plan, in the document's order. Throws a `PlanError`
+    /// that names the step.
+    pub fn next(&self, plan: Vec<String>) -> Result<NextActionsJs, JsValue> {
+        let plan = self.plan(&plan)?;
+        let label = |words: &[u64]| self.problem.label(words).to_string();
+        let next = next_actions(self.problem.task(), &plan, label).map_err(|e| error::plan(&e))?;
+        let next: Vec<_> = next.iter().map(|next| NextReport::new(&self.problem, next)).collect();
+        to_js(&next)
     }
 
     /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.
@@ -83,6 +92,12 @@ impl Problem {
         let run = solver::Run::new(Arc::clone(&self.problem), options)
             .map_err(|e| thrown("OptionsError", &e.to_string()))?;
         Ok(Run { run, milliseconds: 0.0 })
+    }
+}
+
+impl Problem {
+    fn plan(&self, names: &[String]) -> Result<Plan, JsValue> {
+        Plan::from_names(self.problem.task(), names).map_err(|e| error::plan(&e))
     }
 }
 

@@ -28,6 +28,9 @@ export interface SolveOptions {
   forbid?: { observer: string; goal: string }[];
   /** Every reachable pair of survivor counts, for `exact`. */
   pareto?: boolean;
+  /** The best plan of every length from 0 to this one (at most 1000), for `exact` and without a horizon.
+      The plan of the outcome is then the best that has at most so many actions. */
+  lengths?: number;
 }
 
 export interface Outcome {
@@ -39,6 +42,9 @@ export interface Outcome {
   goals: ByObserver<string[]> | null;
   goal_difference: number | null;
   pareto?: { adversarial: number; cooperative: number; plan: string[] }[];
+  /** One for each length from 0, where `lengths` was asked for; of a run that was stopped, only for the
+      lengths that are proved. Null where no plan of that length keeps the bounds. */
+  lengths?: LengthPoint[];
   /** The limit that was met. */
   limit?: string;
   stats: {
@@ -47,6 +53,10 @@ export interface Outcome {
     nodes?: number; iterations?: number; variables?: number; rows?: number;
   };
 }
+
+export type LengthPoint =
+  | { length: number; adversarial: number; cooperative: number; goal_difference: number; plan: string[] }
+  | { length: number; adversarial: null; cooperative: null; goal_difference: null; plan: null };
 
 export interface TraceStep {
   action: string | null;
@@ -58,6 +68,9 @@ export interface TraceStep {
 }
 
 export interface Trace { valid: boolean; steps: TraceStep[]; goal_difference: number }
+
+/** An action that can be taken after a plan, the resulting state, and whether the true goal holds there. */
+export interface NextAction { action: string; state: State; goal: boolean }
 
 export interface Progress {
   solver: SolverName;
@@ -106,6 +119,9 @@ extern "C" {
     /// A replayed plan.
     #[wasm_bindgen(typescript_type = "Trace")]
     pub type TraceJs;
+    /// What can be done after a plan.
+    #[wasm_bindgen(typescript_type = "NextAction[]")]
+    pub type NextActionsJs;
     /// What there is to draw.
     #[wasm_bindgen(typescript_type = "Scene")]
     pub type SceneJs;

@@ -12,8 +12,8 @@ use crate::trace::{Achievement, validate};
 
 use super::best_first::{baseline, search};
 use super::engine::{Advance, Engine, Finding};
-use super::exact::{closure, layers};
-use super::outcome::{Outcome, Progress, Stats, Status};
+use super::exact::{closure, layers, lengths};
+use super::outcome::{LengthPoint, Outcome, Progress, Stats, Status};
 use super::{Horizon, Options, OptionsError, Solver, ip};
 
 /// Why a run cannot give an answer.
@@ -107,6 +107,9 @@ impl Run {
 
     fn start(&self) -> Result<Box<dyn Engine>, LimitReached> {
         let (problem, options) = (Arc::clone(&self.problem), &self.options);
+        if let Some(longest) = options.lengths {
+            return Ok(Box::new(lengths::Lengths::new(problem, options, longest)));
+        }
         Ok(match (options.solver, self.horizon) {
             (Solver::Exact, Some(steps)) => Box::new(layers::Layers::new(problem, options, steps)),
             (Solver::Exact, None) => Box::new(closure::Closure::new(problem, options)),
@@ -251,7 +254,8 @@ pub fn abandoned(
         Horizon::Steps(steps) => Some(steps),
         Horizon::Auto | Horizon::Any => None,
     };
-    let horizon = progress.map_or(asked, |progress| progress.horizon);
+    let reached = progress.filter(|_| options.lengths.is_none());
+    let horizon = reached.map_or(asked, |progress| progress.horizon);
     let stats = progress.map_or_else(Stats::default, |progress| progress.stats);
     let finding = Finding::stopped(plan, LimitReached::Cancelled);
     conclude(problem, options, horizon, &finding, stats)
@@ -275,6 +279,7 @@ fn conclude(
         survivors: None,
         goal_difference: None,
         pareto: None,
+        lengths: None,
         limit: finding.limit,
         stats,
     };
@@ -303,6 +308,16 @@ fn conclude(
             }
         }
         outcome.pareto = Some(points.clone());
+    }
+    if let Some(points) = &finding.lengths {
+        for LengthPoint { length, best } in points {
+            if let Some(best) = best
+                && (replay(&best.plan)?.counts != best.counts || best.plan.len() != *length)
+            {
+                return Err(SolveError::Replay(format!("the best of length {length} is wrong")));
+            }
+        }
+        outcome.lengths = Some(points.clone());
     }
     Ok(outcome)
 }
