@@ -54,6 +54,8 @@ export class Playground {
   readonly chosen = signal<string | null>(null);
   readonly timeline = new Timeline();
   readonly history = new History<OpenDocument>();
+  /** The solver that was run by hand last, on this problem or on what it was edited from. */
+  readonly ran = signal<Form["solver"] | null>(null);
   readonly workbench = new Workbench();
   readonly drafts = new Drafts();
   /** How long the solver has been at work. */
@@ -121,6 +123,7 @@ export class Playground {
     }
     if (before !== null && before.text !== text) this.history.record(before);
     this.origin.value = document;
+    this.ran.value = null;
     return true;
   }
 
@@ -177,6 +180,7 @@ export class Playground {
     this.live.clear();
     const options = optionsOf(this.form.value);
     if (typeof options === "string") return this.refuse(options);
+    this.ran.value = options.solver;
     this.begin();
     await this.perform({ document, options, at: "end" });
   }
