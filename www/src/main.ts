@@ -4,6 +4,7 @@ import "./style/board.css";
 import "./style/controls.css";
 import "./style/goals.css";
 import "./style/solve.css";
+import "./style/compare.css";
 import { MoCoppPlayground } from "./element/mo-copp-playground.js";
 
 customElements.define("mo-copp-playground", MoCoppPlayground);

@@ -6,6 +6,7 @@ import type { ProblemDocument } from "../problem/types.js";
 import { type Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
 import { Coalesce } from "./coalesce.js";
+import { Comparison } from "./comparison.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
 import { History } from "./history.js";
 import { Drafts, fitted } from "./numbers.js";
@@ -58,6 +59,7 @@ export class Playground {
   readonly ran = signal<Form["solver"] | null>(null);
   readonly workbench = new Workbench();
   readonly drafts = new Drafts();
+  readonly comparison = new Comparison(this);
   /** How long the solver has been at work. */
   readonly stopwatch = new Stopwatch();
 
@@ -250,6 +252,7 @@ export class Playground {
     this.live.clear();
     this.client.dispose();
     this.aside.dispose();
+    this.comparison.dispose();
     if (this.status.value === "solving") this.status.value = "idle";
   }
 

@@ -1,6 +1,7 @@
 // The workbench: everything that can be done with the problem shown, one tab for each kind of work.
 import { html, type TemplateResult } from "lit";
 import { documentForm } from "../share/document-form.js";
+import { compare } from "../solve/compare/compare.js";
 import { solverForm } from "../solve/solver-form.js";
 import type { Playground } from "../state/playground.js";
 import type { Workbench } from "../state/workbench.js";
@@ -14,6 +15,7 @@ export interface Tab {
 /** The tabs, in the order shown. */
 export const tabs: readonly Tab[] = [
   { name: "solve", title: "Solve", panel: solverForm },
+  { name: "compare", title: "Compare", panel: compare },
   { name: "document", title: "Document", panel: documentForm },
 ];
 
