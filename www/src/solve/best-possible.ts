@@ -9,7 +9,7 @@ export function bestPossible(playground: Playground): TemplateResult {
   const best = optimum?.outcome.goal_difference ?? null;
   const less = best !== null && shown !== null && shown < best - 1e-9;
   return html`<p class="best">${optimum === null ? "Best possible: …" : words(optimum)}${
-    less ? html`, <span class="less">this plan: <b>${shortNumber(shown)}</b></span>` : ""
+    less ? html` · <span class="less">this plan: <b>${shortNumber(shown)}</b></span>` : ""
   }</p>`;
 }
 
@@ -20,7 +20,7 @@ function words({ options, outcome }: Result): TemplateResult {
   const value = html`<b>${shortNumber(goal_difference)}</b>`;
   if (status !== "optimal") return html`Best found: ${value}`;
   const { horizon, k, j } = options;
-  const length = typeof horizon === "number" ? ` in ${counted(horizon, "move")}` : "";
-  const bounds = k === undefined && j === undefined ? "" : " within the bounds";
-  return html`Best possible${length}${bounds}: ${value}`;
+  const length = typeof horizon === "number" ? ` of ${counted(horizon, "move")}` : "";
+  const bounds = k === undefined && j === undefined ? "" : " within bounds";
+  return html`Best${length === "" && bounds === "" ? " possible" : length + bounds}: ${value}`;
 }

@@ -12,6 +12,7 @@ import { History } from "./history.js";
 import { Drafts, fitted } from "./numbers.js";
 import { Stopwatch } from "./stopwatch.js";
 import { Timeline } from "./timeline.js";
+import { Tradeoff } from "./tradeoff.js";
 import { Workbench } from "./workbench.js";
 
 export type Status = "idle" | "solving" | "error" | Outcome["status"];
@@ -60,6 +61,7 @@ export class Playground {
   readonly workbench = new Workbench();
   readonly drafts = new Drafts();
   readonly comparison = new Comparison(this);
+  readonly tradeoff = new Tradeoff(this);
   /** How long the solver has been at work. */
   readonly stopwatch = new Stopwatch();
 
@@ -253,6 +255,7 @@ export class Playground {
     this.client.dispose();
     this.aside.dispose();
     this.comparison.dispose();
+    this.tradeoff.dispose();
     if (this.status.value === "solving") this.status.value = "idle";
   }
 

@@ -39,7 +39,7 @@ function line(playground: Playground, row: Row, outdated: boolean): TemplateResu
       ${row.entrant.note === undefined ? nothing : html`<small class="slow">${row.entrant.note}</small>`}
     </th>
     ${cell("Answer", answer(row), "answer")}
-    ${cell("Goal difference", outcome?.goal_difference == null ? "–" : difference(outcome.goal_difference), "figure")}
+    ${cell("Goal difference", outcome?.goal_difference == null ? "–" : difference(outcome.goal_difference), "figure gd")}
     ${cell("Enemy", outcome?.goals?.adversarial.length ?? "–", "figure enemy")}
     ${cell("Friend", outcome?.goals?.cooperative.length ?? "–", "figure friend")}
     ${cell("Moves", plan?.length ?? "–", "figure")} ${cell("Time", row.seconds === undefined ? "–" : duration(row.seconds), "figure")}
