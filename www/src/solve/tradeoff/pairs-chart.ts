@@ -8,7 +8,7 @@ import { pointKeys, pointView } from "./points.js";
 const SIDE = 264;
 const LEFT = 38;
 const TOP = 34;
-const WIDTH = LEFT + SIDE + 44;
+const WIDTH = LEFT + SIDE + 48;
 const HEIGHT = TOP + SIDE + 42;
 /** More would run into each other. */
 const MOST_LABELS = 9;
@@ -68,15 +68,15 @@ export function pairsChart(points: readonly PairPoint[], goals: number, bounds: 
   </svg>`;
 }
 
-/** For each goal difference that more than one pair has, the first and the last of them. */
+/** For each goal difference, from where to where its line crosses the grid. */
 function diagonals(goals: number): [from: [number, number], to: [number, number]][] {
-  return Array.from({ length: 2 * goals - 3 }, (_, index) => {
-    const ahead = index + 2 - goals;
+  return Array.from({ length: 2 * goals - 1 }, (_, index) => {
+    const ahead = index + 1 - goals;
     const from = Math.max(1, 1 - ahead);
     const to = Math.min(goals, goals - ahead);
     return [
-      [from, from + ahead],
-      [to, to + ahead],
+      [from - 0.5, from + ahead - 0.5],
+      [to + 0.5, to + ahead + 0.5],
     ];
   });
 }

@@ -20,18 +20,20 @@ export function tradeoff(playground: Playground): TemplateResult {
   const slow = busy.value && stopwatch.seconds.value > SLOW_S;
   const old = !state.current.value && (slow || error.value !== null);
   return html`<div class="tradeoff">
-    <p class="lead">What plans can reach on this problem. Choose a point to see its plan on the boards.</p>
+    <div class="lead">
+      <p>What plans can reach on this problem. Choose a point to see its plan on the boards.</p>
+    <div role="alert">${
+      error.value === null
+        ? nothing
+        : html`<p class="failed">${error.value} <button type="button" class="small" @click=${() => state.retry()}>Try again</button></p>`
+    }</div>
+    </div>
     ${
       slow
         ? html`<div class="at-work">${work(state.progress.value, stopwatch.seconds.value, "Looking at all plans")}
             <button type="button" @click=${() => state.cancel()}>Stop</button></div>`
         : nothing
     }
-    <div role="alert">${
-      error.value === null
-        ? nothing
-        : html`<p class="failed">${error.value} <button type="button" class="small" @click=${() => state.retry()}>Try again</button></p>`
-    }</div>
     <div class="charts" aria-busy=${String(busy.value)} data-old=${old || nothing} ?inert=${old}>
       ${pairs.value === null ? nothing : pairsPart(playground, pairs.value)}
       ${lengths.value === null ? nothing : lengthsPart(playground, lengths.value)}
@@ -58,7 +60,7 @@ function pairsPart(playground: Playground, { points: pairs, upTo }: Pairs): Temp
           ? upTo === 0
             ? "Not known yet."
             : "No plan reaches the true goal."
-          : html`${counted(points.length, "pair")} of ${goals * goals}, over ${plans}. Up and to the left is better.`
+          : html`${points.length} of ${goals * goals} pairs can be reached, by ${plans}. Up and to the left is better.`
       }</p></figcaption>
     ${points.length === 0 ? nothing : html`${pairsChart(points, goals, bounds)} ${pairsTable(points)}`}
   </figure>`;
@@ -75,7 +77,7 @@ function lengthsPart(playground: Playground, { points: lengths, bounds, complete
         shortest === undefined || best === undefined
           ? `No plan of at most ${counted(last, "move")}${within}.`
           : html`The shortest plan${within} has ${counted(shortest.length, "move")}; the best here,
-              ${shortNumber(best.goal_difference)}, ${best === shortest ? "is one of them" : html`needs ${best.length}`}.
+              ${shortNumber(best.goal_difference)}, ${best === shortest ? "is one of them" : html`needs ${best.length} moves`}.
               ${complete ? nothing : html`Proved up to ${counted(last, "move")}.`}`
       }</p></figcaption>
     ${points.length === 0 ? nothing : lengthsChart(points, lengths)}
