@@ -5,6 +5,7 @@ import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
 import { type Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
+import { Advice } from "./advice.js";
 import { Coalesce } from "./coalesce.js";
 import { Comparison } from "./comparison.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
@@ -60,6 +61,7 @@ export class Playground {
   readonly ran = signal<Form["solver"] | null>(null);
   readonly workbench = new Workbench();
   readonly drafts = new Drafts();
+  readonly advice = new Advice(this);
   readonly comparison = new Comparison(this);
   readonly tradeoff = new Tradeoff(this);
   /** How long the solver has been at work. */
@@ -254,6 +256,7 @@ export class Playground {
     this.live.clear();
     this.client.dispose();
     this.aside.dispose();
+    this.advice.dispose();
     this.comparison.dispose();
     this.tradeoff.dispose();
     if (this.status.value === "solving") this.status.value = "idle";
