@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { visit } from "./support/browser.js";
-import { example, solve } from "./support/core.js";
+import { advise, example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
 import { attribute, choose, drawn, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
 import { withDeafWorkers, withKnownWorkers } from "./support/workers.js";
@@ -129,14 +129,66 @@ for (const encoding of ["belief-flow", "paper"] as const) {
     }));
 }
 
-test("what no plan can do is proved to be so, and the start is shown", () =>
+test("what no plan can do is proved to be so, the start is shown, and a longer plan is offered", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await page.getByLabel("Plan length").fill("3");
     await statusIs(page, "infeasible");
     assert.equal(await attribute(page, "data-gd"), null);
     assert.equal(await attribute(page, "data-step"), "0");
-    await page.getByText("It is proved: No plan of exactly 3 moves reaches the true goal").waitFor();
+    await page.getByText("The true goal is 14 moves away: no plan is shorter.").waitFor();
+    const [remedy] = advise(example, { solver: "exact", horizon: 3 }).remedies;
+    assert.deepEqual([remedy?.change, remedy?.value], ["horizon", 14]);
+    await press(page, "A longer plan: 14 moves");
+    await statusIs(page, "optimal");
+    assert.equal(await page.getByLabel("Plan length").inputValue(), "14");
+    assert.equal(await attribute(page, "data-gd"), String(remedy?.goal_difference));
+  }));
+
+test("every remedy for bounds that can't be kept is offered, and does", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await page.getByLabel("Plan length").fill("14");
+    await statusIs(page, "optimal");
+    await page.getByLabel("Enemy keeps at least").fill("4");
+    await statusIs(page, "infeasible");
+    await page
+      .getByText("No plan of exactly 14 moves reaches the true goal and keeps at least 4 goals possible for the enemy")
+      .waitFor();
+    const { remedies, complete } = advise(example, { solver: "exact", horizon: 14, k: 4 });
+    assert(complete && remedies.length > 1);
+    const offered = page.locator(".remedies button");
+    await offered.first().waitFor();
+    assert.equal(await offered.count(), remedies.length);
+    for (const [index, { change, value, goal_difference }] of remedies.entries()) {
+      await offered.nth(index).click();
+      await statusIs(page, "optimal");
+      const label = { horizon: "Plan length", k: "Enemy keeps at least", j: "Friend keeps at most" }[change];
+      assert.equal(await page.getByLabel(label).inputValue(), String(value));
+      assert.equal(await attribute(page, "data-gd"), String(goal_difference));
+      await page.getByLabel("Plan length").fill("14");
+      await page.getByLabel("Enemy keeps at least").fill("4");
+      await page.getByLabel("Friend keeps at most").fill("");
+      await statusIs(page, "infeasible");
+    }
+  }));
+
+test("a goal that can't be reached is said to be so", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(
+      page,
+      grid({
+        walls: [
+          [2, 0],
+          [3, 1],
+        ],
+      }),
+    );
+    await statusIs(page, "infeasible");
+    await openTab(page, "Solve");
+    await page.getByText("The true goal cannot be reached from the start, however long the plan.").waitFor();
+    assert.equal(await page.locator(".remedies").count(), 0);
   }));
 
 test("a search that takes long shows its progress, leaves the page alive, and can be cancelled", () =>

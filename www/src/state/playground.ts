@@ -5,7 +5,7 @@ import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
 import { type Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
-import { Advice } from "./advice.js";
+import { Adviser } from "./adviser.js";
 import { Coalesce } from "./coalesce.js";
 import { Comparison } from "./comparison.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
@@ -61,7 +61,7 @@ export class Playground {
   readonly ran = signal<Form["solver"] | null>(null);
   readonly workbench = new Workbench();
   readonly drafts = new Drafts();
-  readonly advice = new Advice(this);
+  readonly adviser = new Adviser(this);
   readonly comparison = new Comparison(this);
   readonly tradeoff = new Tradeoff(this);
   /** How long the solver has been at work. */
@@ -256,7 +256,7 @@ export class Playground {
     this.live.clear();
     this.client.dispose();
     this.aside.dispose();
-    this.advice.dispose();
+    this.adviser.dispose();
     this.comparison.dispose();
     this.tradeoff.dispose();
     if (this.status.value === "solving") this.status.value = "idle";
