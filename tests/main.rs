@@ -17,6 +17,7 @@ mod lengths;
 mod next_actions;
 mod observers;
 mod regressions;
+mod remedy;
 mod search;
 mod set_additive;
 mod stopping;

@@ -121,6 +121,34 @@ fn the_best_of_each_length() {
 }
 
 #[wasm_bindgen_test]
+fn why_there_is_no_plan_and_what_would_do() {
+    let options = r#"{"solver": "exact", "k": 6, "j": 1, "horizon": 4}"#;
+    let mut run = delivery().remedy(JSON::parse(options).unwrap().unchecked_into()).unwrap();
+    while !run.advance(1).unwrap() {
+        let progress: JsValue = run.progress().unwrap().into();
+        assert!(get(&progress, "done").as_f64().is_some());
+        assert_eq!(text(&progress, "unit"), "expansions");
+    }
+    let advice: JsValue = run.outcome().unwrap().into();
+    assert_eq!(text(&advice, "reason"), "length");
+    assert_eq!(get(&advice, "shortest").as_f64(), Some(3.0));
+    assert_eq!(get(&advice, "complete").as_bool(), Some(true));
+    assert_eq!(length(&advice, "remedies"), 1);
+    assert_eq!(text(&advice, "remedies.0.change"), "horizon");
+    assert_eq!(get(&advice, "remedies.0.value").as_f64(), Some(3.0));
+    assert_eq!(get(&advice, "remedies.0.goal_difference").as_f64(), Some(1.0));
+    assert_eq!(length(&advice, "remedies.0.plan"), 3);
+    let options = r#"{"solver": "exact", "lengths": 4}"#;
+    let error = delivery().remedy(JSON::parse(options).unwrap().unchecked_into()).unwrap_err();
+    assert_eq!(text(&error, "name"), "OptionsError");
+    let mut run =
+        delivery().remedy(JSON::parse("{\"solver\": \"ip\"}").unwrap().unchecked_into()).unwrap();
+    let advice: JsValue = run.outcome().unwrap().into();
+    assert!(get(&advice, "reason").is_null() && get(&advice, "shortest").is_null());
+    assert_eq!(get(&advice, "complete").as_bool(), Some(false));
+}
+
+#[wasm_bindgen_test]
 fn a_stopped_run_says_so() {
     let mut run = solve(&delivery(), r#"{"solver": "search"}"#).unwrap();
     let outcome: JsValue = run.outcome().unwrap().into();

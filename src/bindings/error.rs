@@ -4,6 +4,7 @@ use wasm_bindgen::JsValue;
 
 use crate::document::DocumentError;
 use crate::plan::PlanError;
+use crate::solver::SolveError;
 
 /// An `Error` of this name.
 pub(super) fn thrown(name: &str, message: &str) -> JsValue {
@@ -15,6 +16,16 @@ pub(super) fn thrown(name: &str, message: &str) -> JsValue {
 /// A `PlanError`.
 pub(super) fn plan(error: &PlanError) -> JsValue {
     thrown("PlanError", &error.to_string())
+}
+
+/// An `OptionsError`.
+pub(super) fn options(error: &dyn std::error::Error) -> JsValue {
+    thrown("OptionsError", &error.to_string())
+}
+
+/// A `SolveError`.
+pub(super) fn solve(error: &SolveError) -> JsValue {
+    thrown("SolveError", &error.to_string())
 }
 
 /// A `DocumentError`, with its place as properties.

@@ -58,6 +58,25 @@ export type LengthPoint =
   | { length: number; adversarial: number; cooperative: number; goal_difference: number; plan: string[] }
   | { length: number; adversarial: null; cooperative: null; goal_difference: null; plan: null };
 
+/** Why a run found no plan, and which change of a single option would allow one. */
+export interface Advice {
+  /** The true goal cannot be reached; no plan has exactly so many actions; no such plan keeps the bounds.
+      Null where there is a plan after all, or where the work stopped before that was known. */
+  reason: "unreachable" | "length" | "bounds" | null;
+  /** The length of a shortest plan for the true goal, whatever anybody believes. */
+  shortest: number | null;
+  /** The smallest change first; each with the best plan that it allows. */
+  remedies: Remedy[];
+  /** Whether these are all and nothing nearer would do: no limit or stop came before the proof. */
+  complete: boolean;
+}
+export interface Remedy {
+  change: "horizon" | "k" | "j";
+  value: number;
+  goal_difference: number;
+  plan: string[];
+}
+
 export interface TraceStep {
   action: string | null;
   state: State;
@@ -119,6 +138,9 @@ extern "C" {
     /// A replayed plan.
     #[wasm_bindgen(typescript_type = "Trace")]
     pub type TraceJs;
+    /// Why there is no plan, and what would do.
+    #[wasm_bindgen(typescript_type = "Advice")]
+    pub type AdviceJs;
     /// What can be done after a plan.
     #[wasm_bindgen(typescript_type = "NextAction[]")]
     pub type NextActionsJs;

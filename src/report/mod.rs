@@ -1,10 +1,12 @@
 //! What other programs read: the JSON of the command line and the objects of the JavaScript API.
 
+mod advice;
 mod request;
 mod scene;
 
 use serde::Serialize;
 
+pub use advice::{AdviceReport, RemedyReport};
 pub use request::read_options;
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 
@@ -58,6 +60,9 @@ pub struct SolveReport {
     /// The limit that was met.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<String>,
+    /// Why there is no plan and what would do, where somebody looked for that.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remedy: Option<AdviceReport>,
     /// What the work took.
     pub stats: StatsReport,
 }
@@ -213,6 +218,7 @@ impl SolveReport {
                 points.iter().map(|point| LengthReport::new(problem, point)).collect()
             }),
             limit: outcome.limit.map(|limit| limit.to_string()),
+            remedy: None,
             stats: StatsReport::new(outcome.solver, &outcome.stats),
         }
     }

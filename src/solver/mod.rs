@@ -19,7 +19,9 @@ pub mod ip;
 mod live;
 mod options;
 mod outcome;
+pub mod remedy;
 mod run;
+mod shortest;
 mod tree;
 
 pub use options::{

@@ -7,13 +7,13 @@ use thiserror::Error;
 
 use crate::limits::LimitReached;
 use crate::problem::Problem;
-use crate::task::StateSpace;
 use crate::trace::{Achievement, validate};
 
 use super::best_first::{baseline, search};
 use super::engine::{Advance, Engine, Finding};
 use super::exact::{closure, layers, lengths};
 use super::outcome::{LengthPoint, Outcome, Progress, Stats, Status};
+use super::shortest::{Reached, Shortest};
 use super::{Horizon, Options, OptionsError, Solver, ip};
 
 /// Why a run cannot give an answer.
@@ -357,24 +357,10 @@ fn shortest_plan_length(
     problem: &Problem,
     options: &Options,
 ) -> Result<Option<usize>, LimitReached> {
-    let task = problem.task();
-    let mut space = StateSpace::new(Arc::clone(task));
-    let mut layer = vec![space.intern(task.initial_state())];
-    let mut length = 0;
-    while !layer.is_empty() {
-        let mut next = Vec::new();
-        for &state in &layer {
-            if task.satisfies(space.words(state), task.goal()) {
-                return Ok(Some(length));
-            }
-            let known = space.len();
-            space.expand(state);
-            let new = space.edges(state).iter().map(|edge| edge.target);
-            next.extend(new.filter(|target| target.index() >= known));
-            options.limits.check_bytes(space.bytes())?;
-        }
-        layer = next;
-        length += 1;
+    let mut shortest = Shortest::new(problem.task(), options.limits);
+    let mut budget = u64::MAX;
+    match shortest.advance(&mut budget)? {
+        Reached::After(length) => Ok(Some(length)),
+        Reached::NotYet | Reached::Never => Ok(None),
     }
-    Ok(None)
 }

@@ -5,6 +5,9 @@ import "./style/controls.css";
 import "./style/goals.css";
 import "./style/delivery.css";
 import "./style/play.css";
+import "./style/solve.css";
+import "./style/compare.css";
+import "./style/charts.css";
 import { MoCoppPlayground } from "./element/mo-copp-playground.js";
 
 customElements.define("mo-copp-playground", MoCoppPlayground);

@@ -69,6 +69,14 @@ impl LayeredGraph {
         self.last.is_empty()
     }
 
+    /// Whether the last finished layer is the same as one of this length or longer, so that all to
+    /// come were there before. Only for layers that were all made with the same `keep`.
+    pub(in crate::solver) fn repeats(&self, since: usize) -> bool {
+        let mut earlier = self.layers.iter().skip(since).take(self.length().saturating_sub(since));
+        let Some(last) = self.layers.last() else { return false };
+        earlier.any(|layer| layer.ones().eq(last.ones()))
+    }
+
     /// How many nodes have been met.
     pub(in crate::solver) fn len(&self) -> usize {
         self.tree.len()

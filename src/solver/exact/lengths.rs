@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use super::ends::Ends;
 use super::graph::LayeredGraph;
-use super::pairs::{Pairs, allowed};
+use super::pairs::Pairs;
 use crate::limits::LimitReached;
-use crate::problem::{JointSpace, Problem, SurvivorCounts};
+use crate::problem::{JointSpace, Problem};
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::live::Live;
 use crate::solver::outcome::{LengthPoint, ParetoPoint, Progress, Stats};
@@ -21,10 +22,7 @@ pub(in crate::solver) struct Lengths {
     longest: usize,
     live: Option<Live>,
     graph: LayeredGraph,
-    /// How many nodes have been looked at for whether they may end a plan.
-    noted: usize,
-    /// Those that may.
-    ends: Vec<(usize, SurvivorCounts)>,
+    ends: Ends,
     /// The pairs of all lengths.
     pairs: Pairs,
 }
@@ -39,39 +37,26 @@ impl Lengths {
             pareto: options.pareto,
             longest,
             live: None,
-            noted: 0,
-            ends: Vec::new(),
+            ends: Ends::default(),
             pairs: Pairs::default(),
         }
     }
 
     /// Takes note of the nodes that may end a plan.
     fn note(&mut self) {
-        for number in self.noted..self.graph.len() {
-            let node = self.graph.node(number);
-            if self.joint.is_goal(node.state) {
-                let counts = self.joint.counts(node.profile);
-                if allowed(&mut self.joint, &self.bounds, node.profile, counts) {
-                    self.ends.push((number, counts));
-                    self.pairs.offer(&mut self.joint, &self.bounds, node.profile, number);
-                }
-            }
+        for &(number, _) in self.ends.note(&mut self.joint, &self.bounds, &self.graph) {
+            let profile = self.graph.node(number).profile;
+            self.pairs.offer(&mut self.joint, &self.bounds, profile, number);
         }
-        self.noted = self.graph.len();
     }
 
     /// The best of each length whose layer is finished.
     fn points(&self, last: usize) -> Vec<LengthPoint> {
         let sources = self.graph.sources();
         let point = |length| {
-            let here = |&&(node, _): &&(usize, SurvivorCounts)| {
-                length <= self.graph.length() && self.graph.contains(length, node)
-            };
-            let better = |&&(node, counts): &&(usize, SurvivorCounts)| {
-                (counts.difference(), std::cmp::Reverse(node))
-            };
-            let best = self.ends.iter().filter(here).max_by_key(better);
-            let best = best.map(|&(node, counts)| ParetoPoint {
+            let finished = length <= self.graph.length();
+            let best = finished.then(|| self.ends.best(&self.graph, length)).flatten();
+            let best = best.map(|(node, counts)| ParetoPoint {
                 counts,
                 plan: self.graph.plan(&sources, length, node),
             });

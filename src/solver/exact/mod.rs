@@ -16,6 +16,7 @@
 //! names and leaves out.
 
 pub mod closure;
+pub mod ends;
 pub mod graph;
 pub mod layers;
 pub mod lengths;

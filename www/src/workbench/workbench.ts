@@ -2,7 +2,9 @@
 import { html, type TemplateResult } from "lit";
 import { playPanel } from "../play/play-panel.js";
 import { documentForm } from "../share/document-form.js";
+import { compare } from "../solve/compare/compare.js";
 import { solverForm } from "../solve/solver-form.js";
+import { tradeoff } from "../solve/tradeoff/tradeoff.js";
 import type { Playground } from "../state/playground.js";
 import type { Workbench } from "../state/workbench.js";
 
@@ -16,6 +18,8 @@ export interface Tab {
 export const tabs: readonly Tab[] = [
   { name: "solve", title: "Solve", panel: solverForm },
   { name: "play", title: "Play", panel: playPanel },
+  { name: "compare", title: "Compare", panel: compare },
+  { name: "trade-off", title: "Trade-off", panel: tradeoff },
   { name: "document", title: "Document", panel: documentForm },
 ];
 
