@@ -3,6 +3,7 @@ import "./style/page.css";
 import "./style/board.css";
 import "./style/controls.css";
 import "./style/goals.css";
+import "./style/edit.css";
 import { MoCoppPlayground } from "./element/mo-copp-playground.js";
 
 customElements.define("mo-copp-playground", MoCoppPlayground);

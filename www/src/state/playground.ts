@@ -6,6 +6,7 @@ import type { ProblemDocument } from "../problem/types.js";
 import type { Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
 import { Coalesce } from "./coalesce.js";
+import { Editing } from "./editing.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
 import { History } from "./history.js";
 import { Timeline } from "./timeline.js";
@@ -53,6 +54,7 @@ export class Playground {
   readonly timeline = new Timeline();
   readonly history = new History<OpenDocument>();
   readonly workbench = new Workbench();
+  readonly editing = new Editing();
 
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null> = computed(() => {
@@ -126,6 +128,15 @@ export class Playground {
       this.history.record(this.before);
     }
     this.before = null;
+  }
+
+  /** The edit that is being made is given up: everything is as it was before. */
+  takeBack(): void {
+    const before = this.before;
+    this.before = null;
+    if (before === null) return;
+    this.wanted = before;
+    this.solveLive(before);
   }
 
   /** Makes an edit at once. */
