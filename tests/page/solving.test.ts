@@ -5,7 +5,7 @@ import type { Page } from "playwright-core";
 import { visit } from "./support/browser.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
-import { attribute, choose, drawn, press, slider, statusIs, useDocument } from "./support/playground.js";
+import { attribute, choose, drawn, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
 
 test("solver, bounds and plan length reach the core", () =>
   visit(async ({ page }) => {
@@ -56,6 +56,7 @@ test("a search that takes long shows its progress, leaves the page alive, and ca
     await statusIs(page, "optimal");
     await useDocument(page, endless());
     await statusIs(page, "solving");
+    await openTab(page, "Solve");
     await page.getByText(/states looked at/).waitFor();
     await press(page, "Cancel");
     await statusIs(page, "feasible", "limit");
@@ -65,6 +66,7 @@ test("a newer problem takes the place of a search under way", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await useDocument(page, endless());
+    await openTab(page, "Solve");
     await page.getByText(/states looked at/).waitFor();
     await useDocument(page, grid());
     await statusIs(page, "optimal");
@@ -76,6 +78,7 @@ test("a solver that does not obey a cancel is ended, and the next solve works", 
     async ({ page }) => {
       await statusIs(page, "optimal");
       await useDocument(page, endless());
+      await openTab(page, "Solve");
       await page.getByText(/states looked at/).waitFor();
       await press(page, "Cancel");
       await statusIs(page, "feasible", "limit");
@@ -90,6 +93,7 @@ test("a lost worker is replaced, says so, and leaves the problem as it was", () 
     async ({ page }) => {
       await statusIs(page, "optimal");
       await useDocument(page, endless());
+      await openTab(page, "Solve");
       await page.getByText(/states looked at/).waitFor();
       const before = await drawn(page);
       await page.evaluate("workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");

@@ -4,7 +4,7 @@ import type { Playground } from "../state/playground.js";
 import { type Speed, speeds, type Timeline } from "../state/timeline.js";
 import { back, first, forward, last, pause, play } from "../view/icons.js";
 
-const speedNames: Record<Speed, string> = { 0.75: "Slow", 1.5: "Normal", 3: "Fast", 6: "Very fast" };
+const speedNames: Record<Speed, string> = { 0.75: "½×", 1.5: "1×", 3: "2×", 6: "4×" };
 
 export function stepper({ timeline }: Playground): TemplateResult {
   const step = timeline.step.value;
@@ -26,12 +26,12 @@ export function stepper({ timeline }: Playground): TemplateResult {
       ${button("Last step", last, step === end, () => timeline.goTo(end), "jump")}
     </div>
     <label class="scrub">
-      <span class="count"><span class="count-word">Step</span> <b>${step}</b> of ${end}</span>
+      <span class="count"><span class="count-word">Step</span> <b>${step}</b><span class="of"> of </span>${end}</span>
       <input type="range" min="0" max=${end} step="1" .value=${String(step)} ?disabled=${end === 0}
         @input=${(event: InputEvent) => timeline.goTo(Number((event.target as HTMLInputElement).value))} />
     </label>
     <label class="speed">
-      <span class="unseen">Speed</span>
+      <span class="unseen">Playing speed</span>
       <select @change=${(event: Event) => timeline.setSpeed(Number((event.target as HTMLSelectElement).value) as Speed)}>
         ${speeds.map((speed) => html`<option value=${speed} ?selected=${speed === timeline.speed.value}>${speedNames[speed]}</option>`)}
       </select>

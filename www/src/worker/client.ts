@@ -135,7 +135,7 @@ export class SolverClient {
     clearTimeout(startBy);
     this.stopWorker();
     if (task.kind !== "solve" || opened === null) {
-      this.finish({ kind: "refused", message: "Opening the problem was cancelled." });
+      this.finish({ kind: "refused", message: "Cancelled before there was anything to show." });
       return;
     }
     const { scene, start } = opened;
