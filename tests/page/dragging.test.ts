@@ -2,27 +2,21 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
-import { visit } from "./support/browser.js";
+import type { GridworldDocument } from "../../www/src/problem/types.js";
 import { example } from "./support/core.js";
 import { grid } from "./support/documents.js";
-import { assertLive, board, documentOf, dragMouse, dragTouch, middle, openDocument, settled, tool } from "./support/hands.js";
-import { attribute, press, statusIs, stepIs } from "./support/playground.js";
+import { assertLive, board, documentOf, dragMouse, dragTouch, edit, middle, tool } from "./support/hands.js";
+import { attribute, press, statusIs, stepIs, useDocument } from "./support/playground.js";
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
 
 /** The document is as the test says; then the page's answer is the core's. */
-async function documentIs(
-  page: Page,
-  property: (document: Awaited<ReturnType<typeof documentOf>>) => unknown,
-  value: unknown,
-) {
-  await settled(page);
+async function documentIs(page: Page, property: (document: GridworldDocument) => unknown, value: unknown) {
   assert.deepEqual(property(await assertLive(page)), value);
 }
 
 test("a wall, a goal and the start are dragged by mouse, and undone, redone, reset", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     const before = await documentOf(page);
     await dragMouse(page, "actor", [
       [2, 1],
@@ -48,15 +42,13 @@ test("a wall, a goal and the start are dragged by mouse, and undone, redone, res
     await page.keyboard.press("Control+y");
     await documentIs(page, ({ start }) => start, [4, 7]);
     await press(page, "Reset");
-    await settled(page);
     assert.deepEqual(await documentOf(page), before);
     await press(page, "Undo");
     await documentIs(page, ({ start }) => start, [4, 7]);
   }));
 
 test("start and goals are dragged on the observers' boards, walls are not", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     await dragMouse(page, "adversarial", [
       [1, 0],
       [3, 0],
@@ -75,8 +67,7 @@ test("start and goals are dragged on the observers' boards, walls are not", () =
   }));
 
 test("the plan follows while the pointer is still down, and Escape takes it back", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     const before = await documentOf(page);
     await dragMouse(
       page,
@@ -92,14 +83,12 @@ test("the plan follows while the pointer is still down, and Escape takes it back
         await page.waitForSelector('[data-board="actor"] [data-goal=G1][transform="translate(7.5 0.5)"]');
       },
     );
-    await settled(page);
     assert.deepEqual(await documentOf(page), before);
     assert.equal(await page.getByRole("button", { name: "Undo" }).getAttribute("aria-disabled"), "true");
   }));
 
 test("what may not stand in a cell waits where it could last", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     // Over one free cell onto a wall.
     await dragMouse(
       page,
@@ -124,8 +113,7 @@ test("what may not stand in a cell waits where it could last", () =>
   }));
 
 test("a pointer that is lost takes the drag back", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     const before = await documentOf(page);
     await dragMouse(
       page,
@@ -142,13 +130,11 @@ test("a pointer that is lost takes the drag back", () =>
         await page.waitForSelector('[data-board="actor"] .start[cy="7.5"]');
       },
     );
-    await settled(page);
     assert.deepEqual(await documentOf(page), before);
   }));
 
 test("walls are painted and taken away; the first cell decides", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     await tool(page, "Walls");
     const walls = (JSON.parse(example).walls as number[][]).map(String);
     await dragMouse(page, "actor", [
@@ -182,14 +168,12 @@ test("walls are painted and taken away; the first cell decides", () =>
     await page.mouse.down();
     await page.mouse.move(to.x, to.y);
     await page.mouse.up();
-    await settled(page);
     const row = (await assertLive(page)).walls?.filter(([, r]) => r === 4).length;
     assert.equal(row, 7);
   }));
 
 test("first beliefs are painted at step 0, and the start stays in", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     await tool(page, "First belief");
     await stepIs(page, 0);
     await dragMouse(page, "cooperative", [
@@ -214,8 +198,7 @@ test("first beliefs are painted at step 0, and the start stays in", () =>
   }));
 
 test("cameras are painted on an observer's board", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     await tool(page, "Cameras");
     await dragMouse(page, "adversarial", [
       [7, 0],
@@ -235,8 +218,7 @@ test("cameras are painted on an observer's board", () =>
   }));
 
 test("a finger drags goals and walls, and scrolls the page elsewhere", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     assert.equal(
       await dragTouch(page, "actor", [
         [6, 7],
@@ -276,9 +258,8 @@ test("a finger drags goals and walls, and scrolls the page elsewhere", () =>
   }, phone));
 
 test("small cells are taken hold of from nearby", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await openDocument(
+  edit(async (page) => {
+    await useDocument(
       page,
       grid({
         width: 32,

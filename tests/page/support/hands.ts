@@ -2,8 +2,9 @@
 import assert from "node:assert/strict";
 import type { Page } from "playwright-core";
 import type { GridworldDocument } from "../../../www/src/problem/types.js";
+import { type Options, visit } from "./browser.js";
 import { solve } from "./core.js";
-import { assertDrawn, attribute, drawn } from "./playground.js";
+import { assertDrawn, attribute, drawn, statusIs } from "./playground.js";
 
 export type Board = "actor" | "adversarial" | "cooperative";
 type Cell = readonly [column: number, row: number];
@@ -12,8 +13,9 @@ export const board = (page: Page, name: Board) => page.locator(`svg[data-board="
 
 /** The middle of a cell on the screen. */
 export async function middle(page: Page, name: Board, [column, row]: Cell): Promise<{ x: number; y: number }> {
+  // The whole board, so that every cell stays where it is found.
+  await board(page, name).scrollIntoViewIfNeeded();
   const cell = board(page, name).locator(`[data-cell="${column},${row}"]`);
-  await cell.scrollIntoViewIfNeeded();
   const box = (await cell.boundingBox()) ?? assert.fail("the cell is not drawn");
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
@@ -57,19 +59,34 @@ export async function dragTouch(
 }
 
 async function all(page: Page, name: Board, cells: Cell[]): Promise<{ x: number; y: number }[]> {
-  // What is scrolled into sight first stays there.
   const points = [];
   for (const cell of cells) points.push(await middle(page, name, cell));
   return points;
 }
 
-/** The document that is open, as the document tab has it. */
+/** Opens the page with its documents in reach. */
+export const edit = (use: (page: Page) => Promise<void>, options: Options = {}): Promise<void> =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await use(page);
+    },
+    { ...options, before: (page) => page.addInitScript(rememberDocuments) },
+  );
+
+/** The last document that went to a worker is the one whose plan is shown next. */
+const rememberDocuments = `
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message) {
+    if (message.kind === "solve") window.lastDocument = message.document;
+    post.call(this, message);
+  };
+`;
+
+/** The document whose plan is shown, once the solver has answered. */
 export async function documentOf<T = GridworldDocument>(page: Page): Promise<T> {
-  const open = await page.getByRole("tab", { selected: true }).getAttribute("id");
-  await page.getByRole("tab", { name: "Document" }).click();
-  const text = await page.getByLabel("Problem document (JSON)").inputValue();
-  await page.locator(`#${open}`).click();
-  return JSON.parse(text) as T;
+  await page.waitForSelector('mo-copp-playground:not([data-status="solving"])');
+  return JSON.parse(await page.evaluate<string>("lastDocument")) as T;
 }
 
 /** Checks that the plan shown is what the core in Node says of the document, at the step shown. */
@@ -84,16 +101,5 @@ export async function assertLive(page: Page): Promise<GridworldDocument> {
   return document;
 }
 
-/** Opens a document by its tab. */
-export async function openDocument(page: Page, document: string): Promise<void> {
-  await page.getByRole("tab", { name: "Document" }).click();
-  await page.getByLabel("Problem document (JSON)").fill(document);
-  await page.getByRole("button", { name: "Use this problem" }).click();
-}
-
 export const tool = (page: Page, name: string) =>
   page.getByRole("group", { name: "Tools" }).getByRole("button", { name, exact: true }).click();
-
-/** The document settled: no answer is waited for. */
-export const settled = (page: Page) =>
-  page.waitForSelector('mo-copp-playground:not([data-status="solving"])', { state: "attached" });

@@ -279,7 +279,7 @@ export class Playground {
       this.take(document, scene);
       this.result.value = { options, outcome };
       if (options.solver === "exact") this.optimum.value = this.result.value;
-      this.status.value = outcome.status;
+      this.status.value = this.live.waits ? "solving" : outcome.status;
       this.progress.value = null;
       this.slow.value = false;
       this.mode.value = "plan";
