@@ -21,3 +21,5 @@ export const tools = {
   redo: icon(svg`<path class="line" transform="matrix(-1 0 0 1 16 0)" d=${arrow}></path>`),
   reset: icon(svg`<path class="line" d="M3.2 5.4A5.6 5.6 0 1 1 2.4 8.6M3 2v3.6h3.6"></path>`),
 };
+
+export const cross = icon(svg`<path class="line" d="M4 4l8 8M12 4l-8 8"></path>`);

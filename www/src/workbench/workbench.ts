@@ -1,5 +1,6 @@
 // The workbench: everything that can be done with the problem shown, one tab for each kind of work.
 import { html, type TemplateResult } from "lit";
+import { editPanel } from "../edit/edit-panel.js";
 import { documentForm } from "../share/document-form.js";
 import { solverForm } from "../solve/solver-form.js";
 import type { Playground } from "../state/playground.js";
@@ -14,6 +15,7 @@ export interface Tab {
 /** The tabs, in the order shown. */
 export const tabs: readonly Tab[] = [
   { name: "solve", title: "Solve", panel: solverForm },
+  { name: "edit", title: "Edit", panel: editPanel },
   { name: "document", title: "Document", panel: documentForm },
 ];
 
