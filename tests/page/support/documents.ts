@@ -91,3 +91,18 @@ export const explicit: string = JSON.stringify({
     },
   },
 });
+
+/** Figure 1 of the paper. */
+export const delivery: string = JSON.stringify({
+  format: "delivery",
+  factories: [
+    { name: "A", packages: ["a1", "a2"] },
+    { name: "B", packages: ["b1", "b2"] },
+  ],
+  deliver: 2,
+  true_goal: "a1+a2",
+  observers: {
+    adversarial: { sensor: { load: "package", deliver: "delivery" } },
+    cooperative: { sensor: { load: { A: "barcode A", B: "barcode B" }, deliver: "delivery" } },
+  },
+});
