@@ -8,6 +8,7 @@ import "./style/play.css";
 import "./style/solve.css";
 import "./style/compare.css";
 import "./style/charts.css";
+import "./style/edit.css";
 import { MoCoppPlayground } from "./element/mo-copp-playground.js";
 
 customElements.define("mo-copp-playground", MoCoppPlayground);

@@ -1,6 +1,8 @@
 // <mo-copp-playground>: the whole playground as one element. It renders into the document itself, so that a course
 // page's styles and checks reach its parts by the stable attributes.
 import { html, nothing, type TemplateResult } from "lit";
+import { shortcut } from "../edit/shortcuts.js";
+import { toolbar } from "../edit/toolbar.js";
 import { exampleDocument } from "../problem/example.js";
 import { announcement } from "../stage/announcement.js";
 import { goalList } from "../stage/goal-list.js";
@@ -15,6 +17,7 @@ import { SignalElement } from "./signal-element.js";
 
 export class MoCoppPlayground extends SignalElement {
   private readonly playground = new Playground(new SolverClient());
+  private readonly shortcuts = (event: KeyboardEvent) => shortcut(this.playground, event);
 
   protected override createRenderRoot(): HTMLElement {
     return this;
@@ -24,8 +27,14 @@ export class MoCoppPlayground extends SignalElement {
     void this.playground.open(exampleDocument);
   }
 
+  override connectedCallback(): void {
+    super.connectedCallback();
+    document.addEventListener("keydown", this.shortcuts);
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    document.removeEventListener("keydown", this.shortcuts);
     this.playground.dispose();
   }
 
@@ -34,7 +43,7 @@ export class MoCoppPlayground extends SignalElement {
     const error = playground.error.value;
     return html`
       <div class="error" role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
-      ${stage(playground)} ${stepper(playground)} ${legend(playground)}
+      ${toolbar(playground)} ${stage(playground)} ${stepper(playground)} ${legend(playground)}
       <div class="below">
         ${workbench(playground)}
         <section class="card" aria-label="Goals">${goalList(playground)}</section>

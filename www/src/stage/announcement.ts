@@ -5,7 +5,8 @@ import type { Playground } from "../state/playground.js";
 import { called, type Role } from "../view/observers.js";
 
 export function announcement(playground: Playground): TemplateResult {
-  return html`<p class="unseen" aria-live="polite">${sentence(playground)}</p>`;
+  const { said } = playground.editing;
+  return html`<p class="unseen" aria-live="polite"><span>${sentence(playground)}</span> <span>${said.value}</span></p>`;
 }
 
 function sentence({ timeline, mode }: Playground): string {

@@ -8,6 +8,7 @@ import type { Answered, Update } from "../worker/protocol.js";
 import { Adviser } from "./adviser.js";
 import { Coalesce } from "./coalesce.js";
 import { Comparison } from "./comparison.js";
+import { Editing } from "./editing.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
 import { GoalStory } from "./goal-story.js";
 import { Guess } from "./guess.js";
@@ -72,6 +73,7 @@ export class Playground {
   readonly tradeoff = new Tradeoff(this);
   /** How long the solver has been at work. */
   readonly stopwatch = new Stopwatch();
+  readonly editing = new Editing();
 
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null> = computed(() => {
@@ -153,6 +155,15 @@ export class Playground {
       this.history.record(this.before);
     }
     this.before = null;
+  }
+
+  /** The edit that is being made is given up: everything is as it was before. */
+  takeBack(): void {
+    const before = this.before;
+    this.before = null;
+    if (before === null) return;
+    this.wanted = before;
+    this.solveLive(before);
   }
 
   /** Makes an edit at once. */
@@ -326,7 +337,7 @@ export class Playground {
       this.take(document, scene);
       this.result.value = { options, outcome };
       if (options.solver === "exact") this.optimum.value = this.result.value;
-      this.status.value = outcome.status;
+      this.status.value = this.live.waits ? "solving" : outcome.status;
       this.progress.value = null;
       this.slow.value = false;
       this.mode.value = "plan";

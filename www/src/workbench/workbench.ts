@@ -1,5 +1,6 @@
 // The workbench: everything that can be done with the problem shown, one tab for each kind of work.
 import { html, type TemplateResult } from "lit";
+import { editPanel } from "../edit/edit-panel.js";
 import { playPanel } from "../play/play-panel.js";
 import { documentForm } from "../share/document-form.js";
 import { compare } from "../solve/compare/compare.js";
@@ -17,6 +18,7 @@ export interface Tab {
 /** The tabs, in the order shown. */
 export const tabs: readonly Tab[] = [
   { name: "solve", title: "Solve", panel: solverForm },
+  { name: "edit", title: "Edit", panel: editPanel },
   { name: "play", title: "Play", panel: playPanel },
   { name: "compare", title: "Compare", panel: compare },
   { name: "trade-off", title: "Trade-off", panel: tradeoff },
