@@ -9,6 +9,10 @@ import "./style/solve.css";
 import "./style/compare.css";
 import "./style/charts.css";
 import "./style/edit.css";
+import "./style/gallery.css";
+import "./style/share.css";
+import "./style/help.css";
+import "./style/steps.css";
 import { MoCoppPlayground } from "./element/mo-copp-playground.js";
 
 customElements.define("mo-copp-playground", MoCoppPlayground);

@@ -1,8 +1,10 @@
 // The playground's state, all in one place, and what can be done to it. Views read the signals and call the actions.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { NextAction, Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import { Gallery } from "../gallery/gallery.js";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
+import { Draft } from "../share/draft.js";
 import { type Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
 import { Adviser } from "./adviser.js";
@@ -74,6 +76,8 @@ export class Playground {
   /** How long the solver has been at work. */
   readonly stopwatch = new Stopwatch();
   readonly editing = new Editing();
+  readonly gallery = new Gallery(this);
+  readonly draft = new Draft(this);
 
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null> = computed(() => {

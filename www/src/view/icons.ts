@@ -11,6 +11,16 @@ export const pause = icon(svg`<path d="M4 3h3v10H4zM9 3h3v10H9z"></path>`);
 export const forward = icon(svg`<path d="M5 3v10l7-5z"></path>`);
 export const last = icon(svg`<path d="M11 3h2v10h-2zM3 3v10l7-5z"></path>`);
 
+export const down = icon(svg`<path class="stroke" d="M4 6.5l4 4l4-4"></path>`);
+export const cross = icon(svg`<path class="cross" d="M4 4l8 8M12 4l-8 8"></path>`);
+export const chain = icon(
+  svg`<path class="stroke" d="M6.8 9.2a2.6 2.6 0 0 0 3.7 0l2.4-2.4a2.6 2.6 0 0 0-3.7-3.7l-1 1M9.2 6.8a2.6 2.6 0 0 0-3.7 0L3.1 9.2a2.6 2.6 0 0 0 3.7 3.7l1-1"></path>`,
+);
+export const tick = icon(svg`<path class="stroke" d="M3 8.5l3.5 3.5L13 4.5"></path>`);
+export const question = icon(
+  svg`<path class="stroke" d="M5.4 6a2.6 2.6 0 1 1 3.9 2.2c-.9.5-1.3 1-1.3 2"></path><circle cx="8" cy="12.8" r="0.9"></circle>`,
+);
+
 /** A five-pointed star around the origin, one unit to each point. */
 export const starPath = `M${Array.from({ length: 10 }, (_, corner) => {
   const [angle, radius] = [(corner * Math.PI) / 5, corner % 2 === 0 ? 1 : 0.45];
