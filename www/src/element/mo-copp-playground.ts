@@ -1,6 +1,8 @@
 // <mo-copp-playground>: the whole playground as one element. It renders into the document itself, so that a course
 // page's styles and checks reach its parts by the stable attributes. docs/embedding.md lists attributes and events.
 import { html, nothing, type TemplateResult } from "lit";
+import { shortcut } from "../edit/shortcuts.js";
+import { toolbar } from "../edit/toolbar.js";
 import { galleryMenu } from "../gallery/menu.js";
 import { problemBar } from "../gallery/problem-bar.js";
 import { exampleDocument } from "../problem/example.js";
@@ -28,6 +30,7 @@ export class MoCoppPlayground extends SignalElement {
   }
 
   private readonly playground = new Playground(new SolverClient());
+  private readonly shortcuts = (event: KeyboardEvent) => shortcut(this.playground, event);
   private readonly address = new Address(this.playground);
   private readonly copier = new LinkCopier(this.address);
   private readonly drops = new DropTarget(this.playground);
@@ -49,10 +52,12 @@ export class MoCoppPlayground extends SignalElement {
     this.drops.listen(this.sharing ? window : this);
     this.announcer.listen();
     this.keys.listen();
+    document.addEventListener("keydown", this.shortcuts);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    document.removeEventListener("keydown", this.shortcuts);
     this.address.release();
     this.drops.release();
     this.announcer.release();
@@ -90,7 +95,8 @@ export class MoCoppPlayground extends SignalElement {
     const copier = this.sharing && !hidden.has("share") ? this.copier : null;
     return html`
       <div class="error" role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
-      ${show("gallery", () => problemBar(playground, copier))} ${stage(playground)}
+      ${show("gallery", () => problemBar(playground, copier))} ${show("tools", () => toolbar(playground))}
+      ${stage(playground)}
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
       ${
         hidden.has("workbench") && hidden.has("goals")
@@ -111,6 +117,7 @@ export class MoCoppPlayground extends SignalElement {
     if (difference.value === null) delete this.dataset.gd;
     else this.dataset.gd = String(difference.value);
     followSymbols(this);
+    void this.playground.walker.follow();
     followRow(this, timeline.step.value);
     this.notifier.notify();
   }

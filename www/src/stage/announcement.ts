@@ -16,7 +16,7 @@ export class Announcer {
   private stop: (() => void) | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly playground: Playground) {
+  constructor(readonly playground: Playground) {
     this.said = this.words;
   }
 
@@ -39,7 +39,8 @@ export class Announcer {
 }
 
 export function announcement(announcer: Announcer): TemplateResult {
-  return html`<p class="unseen" aria-live="polite">${announcer.said.value}</p>`;
+  const { said } = announcer.playground.editing;
+  return html`<p class="unseen" aria-live="polite"><span>${announcer.said.value}</span> <span>${said.value}</span></p>`;
 }
 
 function sentence({ timeline, mode }: Playground): string {

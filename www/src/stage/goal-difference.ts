@@ -1,5 +1,6 @@
 // The goal difference at the step shown, and what it is made of.
 import { html, type TemplateResult } from "lit";
+import { bestPossible } from "../solve/best-possible.js";
 import type { Playground } from "../state/playground.js";
 import { shortNumber } from "../view/numbers.js";
 
@@ -17,6 +18,7 @@ export function goalDifference(playground: Playground): TemplateResult | "" {
       (<b class="enemy">${adversarial.length}</b> for the enemy − <b class="friend">${cooperative.length}</b> for the
       friend) ÷ (${scene.goals.length} − 1)
     </p>
-    <p class="final">${final === null ? "No plan yet." : atEnd ? "The plan ends here." : `At the end of the plan: ${shortNumber(final)}.`}</p>
+    <p class="final">${final === null ? (playground.mode.value === "walk" ? "You are not at the true goal." : "No plan yet.") : atEnd ? "The plan ends here." : `At the end of the plan: ${shortNumber(final)}.`}</p>
+    ${bestPossible(playground)}
   </div>`;
 }

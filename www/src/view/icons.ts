@@ -1,7 +1,7 @@
 // The signs on buttons and in the list of goals. They are drawn, not written: fonts differ.
 import { html, svg, type TemplateResult } from "lit";
 
-const icon = (shape: unknown, kind = ""): TemplateResult =>
+export const icon = (shape: unknown, kind = ""): TemplateResult =>
   html`<svg class="icon ${kind}" viewBox="0 0 16 16" aria-hidden="true">${shape}</svg>`;
 
 export const first = icon(svg`<path d="M3 3h2v10H3zM13 3v10L6 8z"></path>`);
