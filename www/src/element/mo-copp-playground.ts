@@ -26,11 +26,13 @@ import { SignalElement } from "./signal-element.js";
 
 export class MoCoppPlayground extends SignalElement {
   static override get observedAttributes(): string[] {
-    return [...super.observedAttributes, ...settingNames, "hide", "link"];
+    return [...SignalElement.observedAttributes, ...settingNames, "hide", "link"];
   }
 
   private readonly playground = new Playground(new SolverClient());
-  private readonly shortcuts = (event: KeyboardEvent) => shortcut(this.playground, event);
+  private readonly shortcuts = (event: KeyboardEvent) => {
+    if (this.keys.areFor(event)) shortcut(this.playground, event);
+  };
   private readonly address = new Address(this.playground);
   private readonly copier = new LinkCopier(this.address);
   private readonly drops = new DropTarget(this.playground);
