@@ -26,7 +26,7 @@ import { SignalElement } from "./signal-element.js";
 
 export class MoCoppPlayground extends SignalElement {
   static override get observedAttributes(): string[] {
-    return [...super.observedAttributes, ...settingNames, "hide", "link"];
+    return [...SignalElement.observedAttributes, ...settingNames, "hide", "link"];
   }
 
   private readonly playground = new Playground(new SolverClient());
