@@ -191,6 +191,24 @@ test("what takes long shows progress, is given up, and tells how far it came", (
     assert.deepEqual(await names(pairs(page)), expectedPairs(grid()));
   }));
 
+test("a plan can be looked at while the solver goes on", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, endless());
+    await openTab(page, "Trade-off");
+    await page
+      .locator(".at-work")
+      .getByText(/states looked at/)
+      .waitFor();
+    await press(page, "Stop");
+    await pairs(page).getByRole("button").first().click();
+    await page.getByText("On the boards: a plan that leaves").waitFor();
+    assert.equal(await attribute(page, "data-status"), "solving");
+    await openTab(page, "Solve");
+    await press(page, "Cancel");
+    await statusIs(page, "feasible");
+  }));
+
 test("a worker that does not obey a stop is replaced", () =>
   visit(
     async ({ page }) => {
