@@ -2,6 +2,7 @@
 export type {
   Advice,
   LengthPoint,
+  NextAction,
   Outcome,
   Progress,
   Scene,

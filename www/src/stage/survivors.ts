@@ -1,12 +1,13 @@
 // The goals that an observer still thinks possible at the step shown.
 import { html, type TemplateResult } from "lit";
+import type { Playground } from "../state/playground.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { called, type Role } from "../view/observers.js";
 import type { BoardInput } from "./board-input.js";
 import { goalViews } from "./goal-attributes.js";
 import { isGrid } from "./grid/cells.js";
 
-export function survivors(role: Role, { scene, shown }: BoardInput): TemplateResult {
+export function survivors(role: Role, { scene, shown }: BoardInput, { story, mode }: Playground): TemplateResult {
   const goals = goalViews(scene, shown);
   const count = goals.filter((goal) => goal.alive[role]).length;
   const states = shown.beliefs[role].length;
@@ -18,9 +19,9 @@ export function survivors(role: Role, { scene, shown }: BoardInput): TemplateRes
       ${goals.map(
         (goal) => html`<li class=${goal.alive[role] ? "alive" : "dead"} data-goal=${goal.name}
           data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
-          ?data-true-goal=${goal.isTrue}>
+          ?data-true-goal=${goal.isTrue} title="Show when it dies" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
           ${goal.alive[role] ? possible : ruledOut}<span class="name">${goal.name}</span>${goal.isTrue ? star : ""}
-          <span class="unseen">${goal.alive[role] ? "possible" : "ruled out"}</span>
+          <span class="unseen">${goal.alive[role] ? "possible" : "not possible now"}</span>
         </li>`,
       )}
     </ul>`;

@@ -13,6 +13,11 @@ export class Coalesce<T> {
   /** `work` is called for one job at a time; a later call makes the one before it stale. */
   constructor(private readonly work: (job: T) => Promise<void>) {}
 
+  /** Whether a newer job than the one that is worked on is there. */
+  get waits(): boolean {
+    return this.waiting !== null;
+  }
+
   ask(job: T): void {
     this.waiting = { job };
     if (this.busySince === null) {

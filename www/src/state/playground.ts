@@ -1,19 +1,25 @@
 // The playground's state, all in one place, and what can be done to it. Views read the signals and call the actions.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import type { NextAction, Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import { Gallery } from "../gallery/gallery.js";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
+import { Draft } from "../share/draft.js";
 import { type Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
 import { Adviser } from "./adviser.js";
 import { Coalesce } from "./coalesce.js";
 import { Comparison } from "./comparison.js";
+import { Editing } from "./editing.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
+import { GoalStory } from "./goal-story.js";
+import { Guess } from "./guess.js";
 import { History } from "./history.js";
 import { Drafts, fitted } from "./numbers.js";
 import { Stopwatch } from "./stopwatch.js";
 import { Timeline } from "./timeline.js";
 import { Tradeoff } from "./tradeoff.js";
+import { Walk } from "./walk.js";
 import { Workbench } from "./workbench.js";
 
 export type Status = "idle" | "solving" | "error" | Outcome["status"];
@@ -60,15 +66,22 @@ export class Playground {
   /** The solver that was run by hand last, on this problem or on what it was edited from. */
   readonly ran = signal<Form["solver"] | null>(null);
   readonly workbench = new Workbench();
+  readonly story = new GoalStory(this.timeline);
+  readonly walker = new Walk(this);
+  readonly guess = new Guess(this);
   readonly drafts = new Drafts();
   readonly adviser = new Adviser(this);
   readonly comparison = new Comparison(this);
   readonly tradeoff = new Tradeoff(this);
   /** How long the solver has been at work. */
   readonly stopwatch = new Stopwatch();
+  readonly editing = new Editing();
+  readonly gallery = new Gallery(this);
+  readonly draft = new Draft(this);
 
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null> = computed(() => {
+    if (this.mode.value === "guess") return null;
     const trace = this.timeline.trace.value;
     return trace?.valid && this.hasPlan.value ? trace.goal_difference : null;
   });
@@ -148,6 +161,15 @@ export class Playground {
     this.before = null;
   }
 
+  /** The edit that is being made is given up: everything is as it was before. */
+  takeBack(): void {
+    const before = this.before;
+    this.before = null;
+    if (before === null) return;
+    this.wanted = before;
+    this.solveLive(before);
+  }
+
   /** Makes an edit at once. */
   apply(value: ProblemDocument): void {
     this.preview(value);
@@ -209,7 +231,7 @@ export class Playground {
     });
   }
 
-  /** Shows the result's plan again. */
+  /** Shows what was solved again. */
   showResult(): void {
     const trace = this.resultTrace;
     batch(() => {
@@ -244,6 +266,17 @@ export class Playground {
     return null;
   }
 
+  /** The steps of a plan and what can be done after it; a sentence where the plan has no such steps. */
+  async walk(plan: string[]): Promise<{ trace: Trace; next: NextAction[] } | string | null> {
+    const document = this.document.value;
+    if (document === null) return null;
+    const ending = await this.client.run({ kind: "walk", document: document.text, plan });
+    if (ending.kind === "walked") return ending;
+    if (ending.kind === "refused") return ending.message;
+    this.failed(ending);
+    return null;
+  }
+
   /** Says that something can't be used, and leaves the rest as it is. */
   refuse(message: string): void {
     this.client.drop();
@@ -255,6 +288,8 @@ export class Playground {
     this.stopwatch.stop();
     this.live.clear();
     this.client.dispose();
+    this.walker.dispose();
+    this.guess.dispose();
     this.aside.dispose();
     this.adviser.dispose();
     this.comparison.dispose();
@@ -285,6 +320,7 @@ export class Playground {
 
   private begin(): void {
     this.timeline.pause();
+    this.guess.end();
     if (this.status.value !== "solving") this.stopwatch.start();
     batch(() => {
       this.error.value = null;
@@ -305,7 +341,7 @@ export class Playground {
       this.take(document, scene);
       this.result.value = { options, outcome };
       if (options.solver === "exact") this.optimum.value = this.result.value;
-      this.status.value = outcome.status;
+      this.status.value = this.live.waits ? "solving" : outcome.status;
       this.progress.value = null;
       this.slow.value = false;
       this.mode.value = "plan";
@@ -340,6 +376,7 @@ export class Playground {
     this.document.value = document;
     this.scene.value = scene;
     this.optimum.value = null;
+    this.story.forget();
   }
 
   /** Bounds that ask for more goals than an edit has left are brought down, and the edit is solved with those. */

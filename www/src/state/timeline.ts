@@ -16,26 +16,26 @@ export class Timeline {
   readonly shown: ReadonlySignal<TraceStep | null> = computed(() => this.trace.value?.steps[this.step.value] ?? null);
 
   private timer: ReturnType<typeof setInterval> | undefined;
+  /** Where the person went last: steps that are shown in the meantime may be too few for it. */
+  private wanted: number | "end" = "end";
 
   /** Shows other steps. Who stood at the end stands at the end again. */
   show(trace: Trace, at: "start" | "end" | "same"): void {
     const last = trace.steps.length - 1;
-    const stood = this.step.value;
-    const wasAtEnd = this.trace.value === null || stood === this.lastStep.value;
+    if (at !== "same") this.wanted = at === "end" ? "end" : 0;
     this.trace.value = trace;
-    if (at === "start") this.step.value = 0;
-    else this.step.value = at === "end" || wasAtEnd ? last : Math.min(stood, last);
+    this.step.value = this.wanted === "end" ? last : Math.min(this.wanted, last);
   }
 
   goTo(step: number): void {
     this.pause();
-    this.step.value = Math.min(this.lastStep.value, Math.max(0, step));
+    this.stand(Math.max(0, step));
   }
 
   /** Plays from the step shown, or from the start when the last is shown. */
   play(): void {
     if (this.lastStep.value === 0) return;
-    if (this.step.value === this.lastStep.value) this.step.value = 0;
+    if (this.step.value === this.lastStep.value) this.stand(0);
     this.playing.value = true;
     this.tick();
   }
@@ -55,8 +55,14 @@ export class Timeline {
     clearInterval(this.timer);
     this.timer = setInterval(() => {
       // The steps may have become fewer meanwhile.
-      this.step.value = Math.min(this.lastStep.value, this.step.value + 1);
+      this.stand(this.step.value + 1);
       if (this.step.value >= this.lastStep.value) this.pause();
     }, 1000 / this.speed.value);
+  }
+
+  private stand(step: number): void {
+    const last = this.lastStep.value;
+    this.step.value = Math.min(last, step);
+    this.wanted = last > 0 && step >= last ? "end" : this.step.value;
   }
 }

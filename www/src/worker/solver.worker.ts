@@ -46,6 +46,8 @@ function perform(task: Task, id: number): Answer | Promise<Answer> {
   switch (task.kind) {
     case "trace":
       return { kind: "traced", trace: problem.trace(task.plan) };
+    case "walk":
+      return { kind: "walked", trace: problem.trace(task.plan), next: problem.next(task.plan) };
     case "solve":
       return solve(problem, task.options, id);
     case "advise":

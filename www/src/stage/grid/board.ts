@@ -1,35 +1,42 @@
-// One board: the same cells, walls and goals for everyone, and on top what this board is about.
-import { html, nothing, svg, type TemplateResult } from "lit";
+// One board: the same cells, walls and goals for everyone, and on top what this board is about. It can be edited by hand
+// and by keyboard (edit/).
+import { html, nothing, type TemplateResult } from "lit";
+import { boardMarks } from "../../edit/board-marks.js";
+import { boardBlur, boardFocus, boardKey } from "../../edit/keys.js";
+import { boardPointer } from "../../edit/pointer.js";
 import type { Playground } from "../../state/playground.js";
 import { called } from "../../view/observers.js";
 import type { BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
 import { agent, path, start } from "./agent.js";
-import { type CellView, cellViews } from "./cell-views.js";
-import type { GridInput } from "./cells.js";
+import { cellLayer } from "./cell-layer.js";
+import { type GridInput, keysOf } from "./cells.js";
 import { goalMark } from "./goal.js";
+import { cameraCorners, camerasOn, dots } from "./marks.js";
 
 /** Room for strokes at the edge, in cells. */
 const MARGIN = 0.06;
 
 export function board(name: BoardName, input: GridInput, playground: Playground): TemplateResult {
   const { scene, shown } = input;
-  const { width, height } = scene;
+  const { width, height, walls } = scene;
   const box = `${-MARGIN} ${-MARGIN} ${width + 2 * MARGIN} ${height + 2 * MARGIN}`;
-  return html`<svg class="board" data-board=${name} viewBox=${box} role="img" aria-label=${described(name, input)}>
-    ${cellViews(name, input, playground).map(cell)} ${start(scene.start)}
+  const belief = name === "actor" ? [] : shown.beliefs[name];
+  const pointer = boardPointer(name, playground);
+  return html`<svg class="board ${playground.editing.tool.value}" data-board=${name} viewBox=${box}
+    role="application" tabindex="0" aria-label=${described(name, input)} aria-roledescription="board"
+    @pointerdown=${pointer.down} @pointermove=${pointer.move} @pointerup=${pointer.up} @pointercancel=${pointer.lost}
+    @lostpointercapture=${pointer.lost} @touchstart=${pointer.touch}
+    @keydown=${boardKey(name, playground)} @focus=${boardFocus(name, playground)} @blur=${boardBlur(playground)}>
+    <g ${cellLayer({ width, height, walls, believed: keysOf(belief) })}></g>
+    <path class="camera" d=${cameraCorners(camerasOn(name, playground), walls)}></path>
+    <path class="dot" d=${dots(belief)}></path>
+    ${start(scene.start)}
     ${name === "actor" ? path(input.trace, input.step) : nothing}
     ${agent(name, scene, shown.state, playground.mode.value === "guess")}
     ${goalViews(scene, shown).map((goal, index) => goalMark(name, goal, scene.goals[index]?.cell ?? scene.start))}
+    ${boardMarks(name, playground)}
   </svg>`;
-}
-
-/** A believed cell is shaded and carries a dot, so that it does not take colour to see it. */
-function cell({ key, column, row, wall, believed, camera }: CellView) {
-  return svg`<rect class=${wall ? "wall" : "floor"} data-cell=${key} ?data-believed=${believed}
-      x=${column + 0.03} y=${row + 0.03} width="0.94" height="0.94" rx="0.13"></rect>
-    ${camera ? svg`<path class="camera" d=${`M${column + 0.1} ${row + 0.3}v-0.2h0.2M${column + 0.7} ${row + 0.1}h0.2v0.2M${column + 0.9} ${row + 0.7}v0.2h-0.2M${column + 0.3} ${row + 0.9}h-0.2v-0.2`}></path>` : nothing}
-    ${believed ? svg`<circle class="dot" cx=${column + 0.5} cy=${row + 0.5} r="0.1"></circle>` : nothing}`;
 }
 
 function described(name: BoardName, { scene, step, shown }: GridInput): string {

@@ -1,16 +1,15 @@
 // The parts of a scene that can be drawn as a grid.
 import type { Scene, State } from "../../core.js";
+import { keyOf } from "../../problem/cells.js";
 import type { Cell } from "../../problem/types.js";
 import type { BoardInput } from "../board-input.js";
 
 export type { Cell };
+export { keyOf };
 export type GridScene = Extract<Scene, { format: "gridworld" }>;
 export type GridInput = BoardInput<GridScene>;
 
 export const isGrid = (scene: Scene): scene is GridScene => scene.format === "gridworld";
-
-/** How a cell is written in attributes, and compared. */
-export const keyOf = ([column, row]: readonly [number, number]): string => `${column},${row}`;
 
 /** A gridworld's state is the agent's cell. */
 export function cellOf(state: State): Cell {
