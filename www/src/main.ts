@@ -1,3 +1,4 @@
+// The element and its styles, for any page.
 import "./style/colours.css";
 import "./style/page.css";
 import "./style/board.css";

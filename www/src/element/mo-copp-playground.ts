@@ -30,7 +30,9 @@ export class MoCoppPlayground extends SignalElement {
   }
 
   private readonly playground = new Playground(new SolverClient());
-  private readonly shortcuts = (event: KeyboardEvent) => shortcut(this.playground, event);
+  private readonly shortcuts = (event: KeyboardEvent) => {
+    if (this.keys.areFor(event)) shortcut(this.playground, event);
+  };
   private readonly address = new Address(this.playground);
   private readonly copier = new LinkCopier(this.address);
   private readonly drops = new DropTarget(this.playground);

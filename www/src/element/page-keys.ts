@@ -26,6 +26,11 @@ export class PageKeys {
     return this.element.contains(target);
   }
 
+  /** Whether a key pressed is this playground's: it has the focus, or nothing has it and this is the first. */
+  areFor(event: KeyboardEvent): boolean {
+    return takerOf(placeOf(event)) === this;
+  }
+
   /** True where the key was one of these. */
   take(key: string, on: Element): boolean {
     const { timeline, mode } = this.playground;
@@ -53,9 +58,16 @@ export class PageKeys {
 const texts = "input, textarea, select, [contenteditable]";
 const others = `${texts}, dialog, [role=tab], [role=slider], [role=application], [role=grid], [role=listbox], [role=radio]`;
 
+const placeOf = ({ target }: Event): Element => (target instanceof Element ? target : document.body);
+
+function takerOf(on: Element): PageKeys | undefined {
+  const outside = on === document.body || on === document.documentElement;
+  return listening.find((keys) => keys.contains(on)) ?? (outside ? listening[0] : undefined);
+}
+
 function pressedKey(event: KeyboardEvent): void {
   if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
-  const on = event.target instanceof Element ? event.target : document.body;
+  const on = placeOf(event);
   if (event.key === "?") {
     if (on.closest(texts) !== null) return;
     event.preventDefault();
@@ -63,7 +75,5 @@ function pressedKey(event: KeyboardEvent): void {
     return;
   }
   if (event.shiftKey || on.closest(others) !== null || document.querySelector("dialog:modal") !== null) return;
-  const outside = on === document.body || on === document.documentElement;
-  const taker = listening.find((keys) => keys.contains(on)) ?? (outside ? listening[0] : undefined);
-  if (taker?.take(event.key, on)) event.preventDefault();
+  if (takerOf(on)?.take(event.key, on)) event.preventDefault();
 }

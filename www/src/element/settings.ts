@@ -3,7 +3,7 @@ import { type Form, solverNames } from "../state/form.js";
 import type { Playground } from "../state/playground.js";
 
 /** The parts that can be left out, by `hide`. */
-export const parts = ["gallery", "share", "tools", "legend", "stepper", "workbench", "goals"] as const;
+export const parts = ["gallery", "share", "tools", "stepper", "legend", "workbench", "goals"] as const;
 export type Part = (typeof parts)[number];
 
 export interface Settings {

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { openHelp } from "../help/help.js";
 import { copyLink, type LinkCopier } from "../share/copy-link.js";
 import type { Playground } from "../state/playground.js";
-import { back, down, forward, question } from "../view/icons.js";
+import { down, left, question, right } from "../view/icons.js";
 import { entries, type NamedPlan } from "./entries.js";
 import { openGallery } from "./menu.js";
 import { thumbnail } from "./thumbnail.js";
@@ -25,7 +25,7 @@ export function problemBar(playground: Playground, copier: LinkCopier | null): T
         ${value === undefined ? html`<span class="thumbnail"></span>` : thumbnail(value)}
         <span class="words"><small>${where}</small> <b class="title">${titleOf(playground)}</b></span>${down}
       </button>
-      ${turn("Problem before", back, -1)} ${turn("Next problem", forward, 1)}
+      ${turn("Problem before", left, -1)} ${turn("Next problem", right, 1)}
     </div>
     <p class="about">${entry?.about ?? aboutOwn(playground)}</p>
     ${plans(playground, entry?.plans ?? [])}

@@ -20,10 +20,11 @@ const of = (name: string, below: string): TemplateResult =>
 const beliefAt = (time: string): TemplateResult =>
   math(mathml`<msubsup><mi>ℬ</mi><mi>${time}</mi><mi>i</mi></msubsup>`);
 const survivors = (observer: string) => mathml`<msubsup><mi>𝒢</mi><mi>${observer}</mi><mi>π</mi></msubsup>`;
-const count = (observer: string) => mathml`<mrow><mo>|</mo>${survivors(observer)}<mo>|</mo></mrow>`;
+const count = (observer: string) =>
+  mathml`<mrow><mo stretchy="false">|</mo>${survivors(observer)}<mo stretchy="false">|</mo></mrow>`;
 
 const differenceFormula = html`<math display="block" alttext="GD(π) = (|G_X| − |G_C|) / (n − 1)">
-  <mi>GD</mi><mo>(</mo><mi>π</mi><mo>)</mo><mo>=</mo>
+  <mi>GD</mi><mo stretchy="false">(</mo><mi>π</mi><mo stretchy="false">)</mo><mo>=</mo>
   <mfrac><mrow>${count("X")}<mo>−</mo>${count("C")}</mrow><mrow><mi>n</mi><mo>−</mo><mn>1</mn></mrow></mfrac>
 </math>`;
 

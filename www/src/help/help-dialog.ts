@@ -7,11 +7,14 @@ import { type KeyGroup, keyGroups } from "./keys.js";
 import type { Term } from "./terms.js";
 
 let dialog: HTMLDialogElement | undefined;
+/** Styles reach what is in a playground, or in this. */
+const holder = document.createElement("div");
+holder.className = "mo-copp-part";
 
 /** Opens the dialog, at a term of the glossary if one is named. */
 export function showHelp(term?: Term): void {
   dialog ??= made();
-  if (!dialog.isConnected) document.body.append(dialog);
+  if (!holder.isConnected) document.body.append(holder);
   if (!dialog.open) dialog.showModal();
   if (term !== undefined) showTerm(term);
   else dialog.scrollTop = 0;
@@ -19,10 +22,11 @@ export function showHelp(term?: Term): void {
 
 function made(): HTMLDialogElement {
   const element = document.createElement("dialog");
-  element.className = "sheet help mo-copp-part";
+  element.className = "sheet help";
   element.setAttribute("aria-labelledby", "mo-copp-help");
   element.addEventListener("click", closeAround);
   render(content(), element);
+  holder.append(element);
   return element;
 }
 

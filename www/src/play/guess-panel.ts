@@ -31,8 +31,8 @@ function body(playground: Playground, game: Guess, round: Round): TemplateResult
       Step forward to hear what the enemy is told. Its board shows where the agent could be.
       ${step.value === lastStep.value ? html`<b>The agent has arrived.</b>` : ""}
     </p>
-    <p id="guess-question">Which goal is it after?</p>
-    <ul class="next ${goals.length > 12 ? "many" : ""}" aria-labelledby="guess-question">
+    <p id="${playground.workbench.id}-guess">Which goal is it after?</p>
+    <ul class="next ${goals.length > 12 ? "many" : ""}" aria-labelledby="${playground.workbench.id}-guess">
       ${goals.map(({ name }) => html`<li><button type="button" @click=${() => game.guess(name)}>${name}</button></li>`)}
     </ul>`;
 }

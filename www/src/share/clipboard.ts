@@ -15,7 +15,8 @@ function copyBySelection(text: string): boolean {
   const focused = document.activeElement;
   const field = document.createElement("textarea");
   field.value = text;
-  field.className = "unseen";
+  // Out of sight, where nothing scrolls to it.
+  Object.assign(field.style, { position: "fixed", inset: "0 auto auto 0", opacity: "0" });
   document.body.append(field);
   field.select();
   const done = document.execCommand("copy");

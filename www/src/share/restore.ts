@@ -7,8 +7,9 @@ export async function restore(playground: Playground, state: SharedState): Promi
   if (!(await playground.open(state.document, state.form))) return false;
   const opened = playground.document.value;
   if (state.tab !== "") playground.workbench.open(state.tab);
-  const { plan } = state;
-  if (plan !== undefined && (state.mode !== "plan" || !same(plan, planShown(playground)))) {
+  const { plan = [] } = state;
+  // Who had only begun to walk has no plan yet.
+  if (state.mode === "walk" || (plan.length > 0 && !same(plan, planShown(playground)))) {
     await showPlan(playground, plan, state);
   }
   // Somebody may have gone on already.
@@ -17,9 +18,8 @@ export async function restore(playground: Playground, state: SharedState): Promi
 }
 
 async function showPlan(playground: Playground, plan: string[], { mode, title }: SharedState): Promise<void> {
-  if (mode !== "walk") return playground.showPlan(plan, title ?? "The plan of the link");
-  const trace = await playground.replay(plan);
-  if (trace !== null) playground.showWalk("walk", trace, "end");
+  if (mode === "walk") return playground.walker.resume(plan);
+  return playground.showPlan(plan, title ?? "the plan of the link");
 }
 
 const same = (one: readonly string[], other: readonly string[]): boolean =>

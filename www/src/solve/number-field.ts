@@ -2,6 +2,8 @@
 // number in the range stays in the field and changes nothing; leaving the field takes the nearest number.
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
+import { glossaryLink } from "../help/glossary-link.js";
+import type { Term } from "../help/terms.js";
 import { type NumberName, numberIn, range } from "../state/numbers.js";
 import type { Playground } from "../state/playground.js";
 
@@ -13,6 +15,7 @@ interface Words {
   lower: string;
   raise: string;
   kind: string;
+  term: Term;
 }
 
 const words: Record<NumberName, Words> = {
@@ -23,6 +26,7 @@ const words: Record<NumberName, Words> = {
     lower: "Lower k",
     raise: "Raise k",
     kind: "goals",
+    term: "k",
   },
   j: {
     label: "Friend keeps at most",
@@ -31,6 +35,7 @@ const words: Record<NumberName, Words> = {
     lower: "Lower j",
     raise: "Raise j",
     kind: "goals",
+    term: "j",
   },
   horizon: {
     label: "Plan length",
@@ -39,6 +44,7 @@ const words: Record<NumberName, Words> = {
     lower: "One move shorter",
     raise: "One move longer",
     kind: "moves",
+    term: "length",
   },
   horizonStep: {
     label: "Raise by",
@@ -47,6 +53,7 @@ const words: Record<NumberName, Words> = {
     lower: "Lower the step",
     raise: "Raise the step",
     kind: "moves",
+    term: "length",
   },
 };
 
@@ -54,8 +61,9 @@ const integerProgram: Partial<Record<NumberName, Partial<Words>>> = {
   horizon: { open: "shortest", about: "Plans of exactly so many moves; left open, of the least that will do." },
 };
 
-/** `id` tells fields of the same number apart: two tabs can show it. */
-export function numberField(playground: Playground, name: NumberName, id: string): TemplateResult {
+/** `place` tells fields of the same number apart: two tabs can show it. */
+export function numberField(playground: Playground, name: NumberName, place: string): TemplateResult {
+  const id = `${playground.workbench.id}-${place}`;
   const form = playground.form.value;
   const scene = playground.scene.value;
   const said = { ...words[name], ...(form.solver === "ip" ? integerProgram[name] : {}) };
@@ -94,7 +102,7 @@ export function numberField(playground: Playground, name: NumberName, id: string
     by(change)();
   };
   return html`<div class="number">
-    <label for=${id}>${said.label}</label>
+    <label for=${id}>${glossaryLink(said.term, said.label)}</label>
     <div class="stepped">
       <button type="button" class="sign" aria-label=${said.lower} ?disabled=${limits === null || (name === "horizon" && value === 0)}
         @click=${by(-1)}><span aria-hidden="true">−</span></button>

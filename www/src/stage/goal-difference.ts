@@ -1,5 +1,6 @@
 // The goal difference at the step shown, and what it is made of.
 import { html, type TemplateResult } from "lit";
+import { glossaryLink } from "../help/glossary-link.js";
 import { bestPossible } from "../solve/best-possible.js";
 import type { Playground } from "../state/playground.js";
 import { shortNumber } from "../view/numbers.js";
@@ -21,7 +22,7 @@ export function goalDifference(playground: Playground): TemplateResult | "" {
         ? "The plan ends here."
         : `At the end: ${shortNumber(final)}.`;
   return html`<div class="difference">
-    <p class="value"><span>Goal difference</span> <b>${value}</b></p>
+    <p class="value"><span>${glossaryLink("goal-difference", "Goal difference")}</span> <b>${value}</b></p>
     <p class="parts" title="goals possible for the enemy minus goals possible for the friend, over the number of goals minus one">
       (<b class="enemy">${adversarial.length}</b> for the enemy − <b class="friend">${cooperative.length}</b> for the
       friend) ÷ (${scene.goals.length} − 1)

@@ -1,5 +1,6 @@
 // The candidate goals, and whether each is possible for each observer: at the step shown, and at the end.
 import { html, type TemplateResult } from "lit";
+import { glossaryLink } from "../help/glossary-link.js";
 import type { Playground } from "../state/playground.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { called, type Role, roles } from "../view/observers.js";
@@ -14,7 +15,7 @@ export function goalList(playground: Playground): TemplateResult | "" {
   const guessing = playground.mode.value === "guess";
   const shownRoles = guessing ? roles.filter((role) => role === "adversarial") : roles;
   return html`<table class="goals">
-    <caption>Which goals are possible?</caption>
+    <caption>Which ${glossaryLink("candidate-goal", "goals")} are ${glossaryLink("possible", "possible")}?</caption>
     <thead>
       <tr>
         <th scope="col">Goal</th>

@@ -1,5 +1,6 @@
 // The goals that an observer still thinks possible at the step shown.
 import { html, type TemplateResult } from "lit";
+import { glossaryLink } from "../help/glossary-link.js";
 import type { Playground } from "../state/playground.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { called, type Role } from "../view/observers.js";
@@ -13,7 +14,7 @@ export function survivors(role: Role, { scene, shown }: BoardInput, { story, mod
   const states = shown.beliefs[role].length;
   const noun = isGrid(scene) ? "place" : "state";
   return html`<p class="belief">
-      Believes in <b>${states}</b> ${noun}${states === 1 ? "" : "s"}: <b>${count}</b> of ${goals.length} goals possible
+      ${glossaryLink("belief", "Believes")} in <b>${states}</b> ${noun}${states === 1 ? "" : "s"}: <b>${count}</b> of ${goals.length} goals ${glossaryLink("possible", "possible")}
     </p>
     <ul class="survivors" aria-label="Goals for the ${called[role]}">
       ${goals.map(

@@ -30,6 +30,12 @@ export class Walk {
     return this.enqueue(() => this.show([]));
   }
 
+  /** Goes on with a walk that was made elsewhere. */
+  resume(plan: readonly string[]): Promise<void> {
+    this.message.value = "";
+    return this.enqueue(() => this.show(plan));
+  }
+
   /** Takes an action from the step shown; what was walked beyond it is left. */
   take(action: string): Promise<void> {
     return this.enqueue(async () => {

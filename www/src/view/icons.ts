@@ -12,6 +12,8 @@ export const forward = icon(svg`<path d="M5 3v10l7-5z"></path>`);
 export const last = icon(svg`<path d="M11 3h2v10h-2zM3 3v10l7-5z"></path>`);
 
 export const down = icon(svg`<path class="stroke" d="M4 6.5l4 4l4-4"></path>`);
+export const left = icon(svg`<path class="stroke" d="M9.5 4l-4 4l4 4"></path>`);
+export const right = icon(svg`<path class="stroke" d="M6.5 4l4 4l-4 4"></path>`);
 export const cross = icon(svg`<path class="cross" d="M4 4l8 8M12 4l-8 8"></path>`);
 export const chain = icon(
   svg`<path class="stroke" d="M6.8 9.2a2.6 2.6 0 0 0 3.7 0l2.4-2.4a2.6 2.6 0 0 0-3.7-3.7l-1 1M9.2 6.8a2.6 2.6 0 0 0-3.7 0L3.1 9.2a2.6 2.6 0 0 0 3.7 3.7l1-1"></path>`,
