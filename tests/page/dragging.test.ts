@@ -56,9 +56,9 @@ test("start and goals are dragged on the observers' boards, walls are not", () =
     await documentIs(page, ({ goals }) => goals[2]?.cell, [3, 0]);
     await dragMouse(page, "cooperative", [
       [0, 7],
-      [0, 6],
+      [0, 5],
     ]);
-    await documentIs(page, ({ start }) => start, [0, 6]);
+    await documentIs(page, ({ start }) => start, [0, 5]);
     await dragMouse(page, "cooperative", [
       [3, 2],
       [3, 4],

@@ -109,6 +109,23 @@ test("other solvers run on Solve; edits show the best possible and offer the sol
     assert.equal(await attribute(page, "data-gd"), String(again.goal_difference));
   }));
 
+test("the best possible is found beside a solver that was faster than it", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await choose(page, "Solver", "baseline");
+    const document = JSON.parse(example);
+    document.walls.pop();
+    await page.evaluate(`{
+      const { playground } = document.querySelector("mo-copp-playground");
+      playground.apply(${JSON.stringify(document)});
+      void playground.solve();
+    }`);
+    await statusIs(page, "solved");
+    const { goal_difference } = solve(JSON.stringify(document), { solver: "exact" }).outcome;
+    await page.getByText(`Best possible: ${goal_difference}`).waitFor();
+    assert.equal(await attribute(page, "data-status"), "solved");
+  }));
+
 for (const encoding of ["belief-flow", "paper"] as const) {
   test(`the integer program, ${encoding}, raises the length by the step`, () =>
     visit(async ({ page }) => {

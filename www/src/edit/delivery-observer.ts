@@ -29,24 +29,30 @@ export function deliveryObserverForm(playground: Playground, document: DeliveryD
   return html`<fieldset class="observer ${role}">
     <legend>What the ${called[role]} sees</legend>
     ${presetField("Sensor", deliveryPresets, deliveryPresetOf(document, role), use)}
-    <div class="row moves" role="group" aria-label="Symbols for the ${called[role]}">
+    <div class="symbols-of" role="group" aria-label="Symbols for the ${called[role]}">
       ${
         typeof load === "string"
-          ? symbol("every", "Loading any package", "")
-          : document.factories.map(({ name, packages }, index) => [
-              symbol(`factory-${index}`, `Loading at ${name}`, name, "none"),
-              ...packages.map((one, position) =>
-                symbol(`package-${index}-${position}`, `Loading ${one}`, one, symbolFor(load, name) ?? "needed"),
-              ),
-            ])
+          ? row([symbol("every", "Any package", "")])
+          : document.factories.map(({ name, packages }, index) =>
+              row([
+                symbol(`factory-${index}`, `Loading at ${name}`, name, "none"),
+                ...packages.map((one, position) =>
+                  symbol(`package-${index}-${position}`, `Loading ${one}`, one, symbolFor(load, name) ?? "needed"),
+                ),
+              ]),
+            )
       }
-      ${textField(playground, {
-        field: `${role}-deliver`,
-        label: "Delivering",
-        value: document.observers[role].sensor.deliver,
-        save: (text) => setDeliverSymbol(document, role, text),
-      })}
+      ${row([
+        textField(playground, {
+          field: `${role}-deliver`,
+          label: "Delivering",
+          value: document.observers[role].sensor.deliver,
+          save: (text) => setDeliverSymbol(document, role, text),
+        }),
+      ])}
     </div>
     <small>A package without a symbol of its own has its factory’s. What has the same symbol looks the same to the ${called[role]}.</small>
   </fieldset>`;
 }
+
+const row = (fields: TemplateResult[]): TemplateResult => html`<div class="row moves">${fields}</div>`;

@@ -14,7 +14,7 @@ const namesOf = (document: GridworldDocument): string[] => document.goals.map(({
 /** A goal with a name of its own: in the cell that is asked for, or in the free one nearest to the last corner. */
 export function addGoal(document: GridworldDocument, cell?: Cell): GridworldDocument | string {
   if (document.goals.length >= MOST_GOALS) return `There are ${MOST_GOALS} goals already: no more are possible.`;
-  if (cell !== undefined && !isFree(document, cell)) return "A goal can't stand in a wall.";
+  if (cell !== undefined && !isFree(document, cell)) return "A goal can’t stand in a wall.";
   const free = freeCells(document).reverse();
   const place = cell ?? free.find((candidate) => !isTaken(document, candidate)) ?? document.start;
   const name = freeName(namesOf(document), (number) => `G${number}`);

@@ -1,0 +1,213 @@
+// Times the built page in headless Chromium, as a person at it would meet it:
+//   node benches/page.mjs
+// Needs what `npm run setup` installs and `npm run build`.
+import { existsSync, readFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { extname, join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { chromium } from "playwright-core";
+import { dist } from "../scripts/lib/paths.mjs";
+import { findChromium } from "../scripts/setup/chromium.mjs";
+
+const LOADS = 7;
+const types = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".css": "text/css",
+  ".wasm": "application/wasm",
+  ".svg": "image/svg+xml",
+};
+
+/** A static host that compresses, as they do. */
+const server = createServer((request, response) => {
+  const path = new URL(request.url, "http://localhost").pathname;
+  const file = join(dist, path.endsWith("/") ? `${path}index.html` : path);
+  if (!existsSync(file)) return response.writeHead(404).end();
+  const body = gzipSync(readFileSync(file), { level: 9 });
+  const type = types[extname(file)] ?? "application/octet-stream";
+  response.writeHead(200, { "Content-Type": type, "Content-Encoding": "gzip", "Content-Length": body.length });
+  response.end(body);
+});
+await new Promise((done) => server.listen(0, "127.0.0.1", done));
+const address = `http://127.0.0.1:${server.address().port}/`;
+
+const browser = await chromium.launch({
+  executablePath: findChromium() ?? undefined,
+  args: ["--no-sandbox", "--disable-gpu"],
+});
+
+/** Runs in the page before anything else: when the first answer was drawn, tasks over 50 ms, and a clock for drags. */
+function instruments() {
+  window.longTasks = [];
+  new PerformanceObserver((list) => {
+    for (const { duration, startTime } of list.getEntries()) longTasks.push({ duration, startTime });
+  }).observe({ type: "longtask", buffered: true });
+  /** Calls back after the next picture has been handed over. */
+  const drawn = (then) =>
+    requestAnimationFrame(() => {
+      const { port1, port2 } = new MessageChannel();
+      port1.onmessage = () => then(performance.now());
+      port2.postMessage(null);
+    });
+  const whenSolved = (then) => {
+    const element = document.querySelector("mo-copp-playground");
+    const watcher = new MutationObserver(() => {
+      if (element.dataset.status !== "optimal") return;
+      watcher.disconnect();
+      drawn(then);
+    });
+    watcher.observe(element, { attributes: true, attributeFilter: ["data-status"] });
+  };
+  window.firstDrawn = new Promise((resolve) => {
+    document.addEventListener("DOMContentLoaded", () => whenSolved(resolve));
+  });
+  /** How long from a pointer event on a board until its optimum is drawn. */
+  window.timed = (type, x, y) =>
+    new Promise((resolve) => {
+      const target = document.elementFromPoint(x, y);
+      const begin = performance.now();
+      whenSolved((now) => resolve(now - begin));
+      const buttons = type === "pointerup" ? 0 : 1;
+      const event = { pointerId: 1, isPrimary: true, bubbles: true, clientX: x, clientY: y, button: 0, buttons };
+      target.dispatchEvent(new PointerEvent(type, event));
+    });
+}
+
+async function load(options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  await page.addInitScript(instruments);
+  // The page's requests and the worker's.
+  const files = new Set();
+  context.on("request", (request) => files.add(new URL(request.url()).pathname));
+  await page.goto(address);
+  return { context, page, files, first: await page.evaluate("firstDrawn") };
+}
+
+const sorted = (times) => times.slice().sort((a, b) => a - b);
+const at = (times, part) => sorted(times)[Math.min(times.length - 1, Math.floor(times.length * part))];
+const line = (name, figure, target) => console.log(`${name.padEnd(52)} ${figure.padStart(34)}   target ${target}`);
+const ms = (value) => `${value.toFixed(1)} ms`;
+
+async function firstLoads() {
+  const times = [];
+  let sizes = 0;
+  let longest = 0;
+  for (let count = 0; count < LOADS; count += 1) {
+    const { context, page, first, files } = await load();
+    times.push(first);
+    sizes = [...files].reduce((sum, file) => {
+      const name = join(dist, file.endsWith("/") ? "index.html" : file);
+      return sum + (existsSync(name) ? gzipSync(readFileSync(name), { level: 9 }).length : 0);
+    }, 0);
+    longest = Math.max(longest, ...(await page.evaluate("longTasks.map(({ duration }) => duration)")), 0);
+    await context.close();
+  }
+  line("first load to solved and drawn, median", ms(at(times, 0.5)), "1000 ms");
+  line("transfer at first load, gzipped", `${(sizes / 1000).toFixed(1)} kB`, "350 kB");
+  line("longest task while loading", longest === 0 ? "none over 50 ms" : ms(longest), "50 ms");
+}
+
+/** Drags a goal along cells and times each. */
+async function drags(name, document, from, cells, target) {
+  const { context, page } = await load();
+  if (document !== null) {
+    await page.getByRole("tab", { name: "Document" }).click();
+    await page.getByLabel("Problem document (JSON)").fill(document);
+    await page.getByRole("button", { name: "Use this problem" }).click();
+    const last = JSON.parse(document);
+    await page.waitForSelector(`[data-cell="${last.width - 1},${last.height - 1}"]`);
+    await page.waitForSelector("mo-copp-playground[data-status=optimal]");
+    await page.getByRole("tab", { name: "Solve" }).click();
+  }
+  await page.evaluate("scrollTo(0, 0)");
+  const middle = ([column, row]) =>
+    page.locator(`[data-board=actor] [data-cell="${column},${row}"]`).evaluate((cell) => {
+      const { x, y, width, height } = cell.getBoundingClientRect();
+      return { x: x + width / 2, y: y + height / 2 };
+    });
+  const start = await middle(from);
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  await page.evaluate("longTasks.length = 0");
+  const times = [];
+  const script = [];
+  for (let round = 0; round < 3; round += 1) {
+    for (const cell of cells) {
+      const { x, y } = await middle(cell);
+      const elapsed = await page.evaluate(([x, y]) => timed("pointermove", x, y), [x, y]);
+      if (round > 0) times.push(elapsed);
+      script.push(elapsed);
+    }
+  }
+  await page.mouse.up();
+  const longest = Math.max(0, ...(await page.evaluate("longTasks.map(({ duration }) => duration)")));
+  line(`${name}, event to optimum drawn, median / p95`, `${ms(at(times, 0.5))} / ${ms(at(times, 0.95))}`, target);
+  line(`${name}, longest task`, longest === 0 ? "none over 50 ms" : ms(longest), "50 ms");
+  await context.close();
+}
+
+/** A large grid whose exact search is small: the time is the page's. */
+function large() {
+  const side = 32;
+  const walls = [];
+  for (let row = 0; row < side; row += 1) {
+    for (let column = 0; column < side; column += 1) if ((column * 7 + row * 5) % 9 === 4) walls.push([column, row]);
+  }
+  const free = ([column, row]) => !walls.some(([c, r]) => c === column && r === row);
+  const goals = [
+    [29, 3],
+    [30, 28],
+    [3, 2],
+    [16, 15],
+  ].map(([column, row], index) => {
+    const cell = [0, 1, 2, 3].map((shift) => [column - shift, row]).find(free);
+    return { name: `G${index + 1}`, cell };
+  });
+  return JSON.stringify({
+    format: "gridworld",
+    width: side,
+    height: side,
+    walls,
+    start: [0, 31],
+    goals,
+    true_goal: "G1",
+    observers: {
+      adversarial: { sensor: { north: "vertical", south: "vertical", east: "horizontal", west: "horizontal" } },
+      cooperative: { sensor: { north: "north-east", east: "north-east", south: "south-west", west: "south-west" } },
+    },
+  });
+}
+
+await firstLoads();
+const row = [
+  [5, 7],
+  [4, 7],
+  [3, 7],
+  [3, 6],
+  [3, 7],
+  [4, 7],
+  [5, 7],
+  [6, 7],
+];
+await drags("8×8 drag", null, [6, 7], row, "16 / 33 ms");
+const big = JSON.parse(large());
+const walls = new Set(big.walls.map(String));
+const [column, line2] = big.goals[3].cell;
+const around = [
+  [1, 0],
+  [2, 0],
+  [2, 1],
+  [3, 1],
+  [4, 1],
+  [3, 0],
+  [1, 1],
+  [0, 1],
+  [-1, 0],
+]
+  .map(([right, down]) => [column + right, line2 + down])
+  .filter((cell) => !walls.has(String(cell)));
+await drags("32×32 drag", JSON.stringify(big), big.goals[3].cell, around, "100 ms");
+
+await browser.close();
+server.close();
