@@ -9,6 +9,7 @@ import { written } from "../../www/src/problem/text.js";
 import { visit } from "./support/browser.js";
 import { solve } from "./support/core.js";
 import { best, documentOf, entries, planned } from "./support/gallery.js";
+import { dragMouse } from "./support/hands.js";
 import { attribute, press, statusIs, stepIs } from "./support/playground.js";
 
 const near = (value: number | null | undefined, wanted: number) =>
@@ -186,12 +187,10 @@ test("the arrows go round, and an edited problem is no longer called by its name
     await press(page, "Next problem");
     await showing(page, "The paper’s gridworld");
     await statusIs(page, "optimal");
-    const goal = page.locator('[data-board="actor"] .goal[data-goal="G4"]');
-    const box = (await goal.boundingBox()) ?? assert.fail();
-    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-    await page.mouse.down();
-    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2 + 60, { steps: 5 });
-    await page.mouse.up();
+    await dragMouse(page, "actor", [
+      [7, 4],
+      [7, 5],
+    ]);
     await showing(page, "An edited problem");
     await page.keyboard.press("Control+z");
     await showing(page, "The paper’s gridworld");
