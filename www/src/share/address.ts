@@ -75,7 +75,10 @@ export class Address {
   }
 
   private readonly follow = () => {
-    if (location.hash.slice(1) !== this.packed) void this.read();
+    // What is on the page may have gone on from what the address held.
+    if (location.hash.slice(1) === this.packed && this.text === this.wanted()) return;
+    clearTimeout(this.timer);
+    void this.read();
   };
 
   /** Runs again whenever the state changes. */

@@ -124,7 +124,8 @@ export class Playground {
     const document = { text, value };
     const before = this.document.value;
     const asked = this.form.value;
-    this.form.value = { ...emptyForm, solver: asked.solver, encoding: asked.encoding, ...form };
+    const fitting = { ...emptyForm, solver: asked.solver, encoding: asked.encoding, ...form };
+    this.form.value = fitting;
     this.live.clear();
     this.before = null;
     this.wanted = document;
@@ -137,7 +138,8 @@ export class Playground {
     this.begin();
     await this.perform({ document, options, at: "end" });
     if (this.document.value !== document) {
-      if (this.document.value === before) this.form.value = asked;
+      // Another document may have been asked for meanwhile, with a form of its own.
+      if (this.form.value === fitting && this.document.value === before) this.form.value = asked;
       return false;
     }
     if (before !== null && before.text !== text) this.history.record(before);
