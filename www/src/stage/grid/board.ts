@@ -14,7 +14,7 @@ import { agent, path, start } from "./agent.js";
 import { cellLayer } from "./cell-layer.js";
 import { type Cell, cellOf, type GridInput, type GridScene, keysOf } from "./cells.js";
 import { goalMark } from "./goal.js";
-import { cameraCorners, camerasOn, dots, floorSquares, isLarge, squares } from "./marks.js";
+import { cameraCorners, camerasOn, dots, enlarged, floorSquares, isLarge, squares } from "./marks.js";
 
 /** Room for strokes at the edge, in cells. */
 const MARGIN = 0.06;
@@ -24,6 +24,7 @@ export function board(name: BoardName, input: GridInput, playground: Playground)
   const { width, height, walls } = scene;
   const box = `${-MARGIN} ${-MARGIN} ${width + 2 * MARGIN} ${height + 2 * MARGIN}`;
   const belief = name === "actor" ? [] : shown.beliefs[name];
+  const scale = enlarged(scene);
   const pointer = boardPointer(name, playground);
   return html`<svg class=${classes(scene, playground)} data-board=${name} viewBox=${box}
     role="application" tabindex="0" aria-label=${described(name, input)} aria-roledescription="board"
@@ -34,10 +35,10 @@ export function board(name: BoardName, input: GridInput, playground: Playground)
     <g ${cellLayer({ width, height, walls, believed: keysOf(belief) })}></g>
     <path class="camera" d=${cameraCorners(camerasOn(name, playground), walls)}></path>
     <path class="dot" d=${dots(belief)}></path>
-    ${start(scene.start)}
+    ${start(scene.start, scale)}
     ${name === "actor" ? path(input.trace, input.step) : nothing}
-    ${agent(name, scene, shown.state, playground.mode.value === "guess")}
-    ${goalViews(scene, shown).map((goal, index) => goalMark(name, goal, scene.goals[index]?.cell ?? scene.start))}
+    ${agent(name, scene, shown.state, playground.mode.value === "guess", scale)}
+    ${goalViews(scene, shown).map((goal, index) => goalMark(name, goal, scene.goals[index]?.cell ?? scene.start, scale))}
     ${boardMarks(name, playground)}
   </svg>`;
 }
