@@ -87,6 +87,68 @@ fn every_solver_works_in_slices() {
 }
 
 #[wasm_bindgen_test]
+fn the_best_of_each_length() {
+    let problem = Problem::new(include_str!("../tests/golden/grid.json")).unwrap();
+    let mut run = solve(&problem, r#"{"solver": "exact", "lengths": 9}"#).unwrap();
+    while !run.advance(1).unwrap() {}
+    let outcome: JsValue = run.outcome().unwrap().into();
+    assert_eq!(text(&outcome, "status"), "optimal");
+    assert_eq!(length(&outcome, "lengths"), 10);
+    let mut best = f64::NEG_INFINITY;
+    for steps in 0..10 {
+        let options = format!(r#"{{"solver": "exact", "horizon": {steps}}}"#);
+        let mut run = solve(&problem, &options).unwrap();
+        while !run.advance(64).unwrap() {}
+        let alone: JsValue = run.outcome().unwrap().into();
+        let point = get(&outcome, &format!("lengths.{steps}"));
+        assert_eq!(get(&point, "length").as_f64(), Some(f64::from(steps)));
+        let difference = get(&point, "goal_difference");
+        assert_eq!(difference, get(&alone, "goal_difference"));
+        if difference.is_null() {
+            assert!(get(&point, "plan").is_null() && get(&point, "adversarial").is_null());
+        } else {
+            assert_eq!(length(&point, "plan"), steps);
+            best = best.max(difference.as_f64().unwrap());
+        }
+    }
+    assert_eq!(get(&outcome, "goal_difference").as_f64(), Some(best));
+    // Of a run that is stopped, the lengths that are proved.
+    let mut run = solve(&problem, r#"{"solver": "exact", "lengths": 9}"#).unwrap();
+    assert!(!run.advance(3).unwrap());
+    let outcome: JsValue = run.outcome().unwrap().into();
+    assert!((1..10).contains(&length(&outcome, "lengths")));
+    assert_eq!(text(&outcome, "limit"), "stopped on request");
+}
+
+#[wasm_bindgen_test]
+fn why_there_is_no_plan_and_what_would_do() {
+    let options = r#"{"solver": "exact", "k": 6, "j": 1, "horizon": 4}"#;
+    let mut run = delivery().remedy(JSON::parse(options).unwrap().unchecked_into()).unwrap();
+    while !run.advance(1).unwrap() {
+        let progress: JsValue = run.progress().unwrap().into();
+        assert!(get(&progress, "done").as_f64().is_some());
+        assert_eq!(text(&progress, "unit"), "expansions");
+    }
+    let advice: JsValue = run.outcome().unwrap().into();
+    assert_eq!(text(&advice, "reason"), "length");
+    assert_eq!(get(&advice, "shortest").as_f64(), Some(3.0));
+    assert_eq!(get(&advice, "complete").as_bool(), Some(true));
+    assert_eq!(length(&advice, "remedies"), 1);
+    assert_eq!(text(&advice, "remedies.0.change"), "horizon");
+    assert_eq!(get(&advice, "remedies.0.value").as_f64(), Some(3.0));
+    assert_eq!(get(&advice, "remedies.0.goal_difference").as_f64(), Some(1.0));
+    assert_eq!(length(&advice, "remedies.0.plan"), 3);
+    let options = r#"{"solver": "exact", "lengths": 4}"#;
+    let error = delivery().remedy(JSON::parse(options).unwrap().unchecked_into()).unwrap_err();
+    assert_eq!(text(&error, "name"), "OptionsError");
+    let mut run =
+        delivery().remedy(JSON::parse("{\"solver\": \"ip\"}").unwrap().unchecked_into()).unwrap();
+    let advice: JsValue = run.outcome().unwrap().into();
+    assert!(get(&advice, "reason").is_null() && get(&advice, "shortest").is_null());
+    assert_eq!(get(&advice, "complete").as_bool(), Some(false));
+}
+
+#[wasm_bindgen_test]
 fn a_stopped_run_says_so() {
     let mut run = solve(&delivery(), r#"{"solver": "search"}"#).unwrap();
     let outcome: JsValue = run.outcome().unwrap().into();
@@ -102,7 +164,7 @@ fn options_that_do_not_fit_throw() {
         (r#"{"solver": "exact", "k": 7}"#, "k: found 7, expected a whole number from 1 to 6"),
         (
             r#"{"solver": "exact", "width": 7}"#,
-            "document: found the unknown key \"width\", expected only solver, encoding, horizon, horizon_step, horizon_limit, k, j, require, forbid, pareto",
+            "document: found the unknown key \"width\", expected only solver, encoding, horizon, horizon_step, horizon_limit, k, j, require, forbid, pareto, lengths",
         ),
         (
             r#"{"solver": "ip", "horizon": "any"}"#,
@@ -137,6 +199,26 @@ fn a_plan_is_traced() {
     let error = problem.trace(plan(&["load a1", "load a1"])).map(|_| ()).unwrap_err();
     assert_eq!(text(&error, "name"), "PlanError");
     assert!(text(&error, "message").starts_with("step 2: "));
+}
+
+#[wasm_bindgen_test]
+fn what_can_be_done_next_is_offered() {
+    let problem = Problem::new(include_str!("../tests/golden/grid.json")).unwrap();
+    let next: JsValue = problem.next(Vec::new()).unwrap().into();
+    let count = next.unchecked_ref::<Array>().length();
+    assert!(count > 1);
+    for index in 0..count {
+        let action = text(&next, &format!("{index}.action"));
+        let trace: JsValue = problem.trace(vec![action]).unwrap().into();
+        for part in ["0", "1"] {
+            let state = get(&next, &format!("{index}.state.{part}"));
+            assert_eq!(state, get(&trace, &format!("steps.1.state.{part}")));
+        }
+        assert_eq!(get(&next, &format!("{index}.goal")), get(&trace, "valid"));
+    }
+    let error = problem.next(vec!["fly".to_owned()]).map(|_| ()).unwrap_err();
+    assert_eq!(text(&error, "name"), "PlanError");
+    assert!(text(&error, "message").starts_with("step 1: "));
 }
 
 #[wasm_bindgen_test]

@@ -3,12 +3,29 @@
 use wasm_bindgen::JsValue;
 
 use crate::document::DocumentError;
+use crate::plan::PlanError;
+use crate::solver::SolveError;
 
 /// An `Error` of this name.
 pub(super) fn thrown(name: &str, message: &str) -> JsValue {
     let error = js_sys::Error::new(message);
     error.set_name(name);
     error.into()
+}
+
+/// A `PlanError`.
+pub(super) fn plan(error: &PlanError) -> JsValue {
+    thrown("PlanError", &error.to_string())
+}
+
+/// An `OptionsError`.
+pub(super) fn options(error: &dyn std::error::Error) -> JsValue {
+    thrown("OptionsError", &error.to_string())
+}
+
+/// A `SolveError`.
+pub(super) fn solve(error: &SolveError) -> JsValue {
+    thrown("SolveError", &error.to_string())
 }
 
 /// A `DocumentError`, with its place as properties.

@@ -17,13 +17,16 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::domain::Document;
-use crate::plan::Plan;
+use crate::plan::{Plan, next_actions};
 use crate::problem;
-use crate::report::{ProgressReport, Scene, SolveReport, TraceReport, read_options};
+use crate::report::{
+    AdviceReport, NextReport, ProgressReport, Scene, SolveReport, TraceReport, read_options,
+};
 use crate::solver;
+use crate::solver::remedy;
 use crate::trace::trace;
 use error::thrown;
-use types::{OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs};
+use types::{AdviceJs, NextActionsJs, OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs};
 
 /// Shows panics on the console with their message.
 #[wasm_bindgen(start)]
@@ -69,20 +72,44 @@ impl Problem {
 
     /// Replays a plan. Throws a `PlanError` that names the step.
     pub fn trace(&self, plan: Vec<String>) -> Result<TraceJs, JsValue> {
-        let failed = |e: crate::plan::PlanError| thrown("PlanError", &e.to_string());
-        let plan = Plan::from_names(self.problem.task(), &plan).map_err(failed)?;
-        let trace = trace(&self.problem, &plan).map_err(failed)?;
+        let plan = self.plan(&plan)?;
+        let trace = trace(&self.problem, &plan).map_err(|e| error::plan(&e))?;
         to_js(&TraceReport::new(&self.problem, &trace))
+    }
+
+    /// The actions that can be taken after a plan, in the document's order. Throws a `PlanError`
+    /// that names the step.
+    pub fn next(&self, plan: Vec<String>) -> Result<NextActionsJs, JsValue> {
+        let plan = self.plan(&plan)?;
+        let label = |words: &[u64]| self.problem.label(words).to_string();
+        let next = next_actions(self.problem.task(), &plan, label).map_err(|e| error::plan(&e))?;
+        let next: Vec<_> = next.iter().map(|next| NextReport::new(&self.problem, next)).collect();
+        to_js(&next)
     }
 
     /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.
     pub fn solve(&self, options: SolveOptionsJs) -> Result<Run, JsValue> {
-        let text = js_sys::JSON::stringify(&options).map(String::from)?;
-        let options = read_options(&text, &self.problem)
-            .map_err(|e| thrown("OptionsError", &e.to_string()))?;
-        let run = solver::Run::new(Arc::clone(&self.problem), options)
-            .map_err(|e| thrown("OptionsError", &e.to_string()))?;
+        let run = solver::Run::new(Arc::clone(&self.problem), self.options(&options)?)
+            .map_err(|e| error::options(&e))?;
         Ok(Run { run, milliseconds: 0.0 })
+    }
+
+    /// Gets ready to say why a run with these options found no plan, and which change of one option
+    /// would allow one. Throws an `OptionsError` where the options do not fit.
+    pub fn remedy(&self, options: SolveOptionsJs) -> Result<RemedyRun, JsValue> {
+        let run = remedy::RemedyRun::new(Arc::clone(&self.problem), self.options(&options)?);
+        Ok(RemedyRun { run: run.map_err(|e| error::options(&e))? })
+    }
+}
+
+impl Problem {
+    fn options(&self, options: &SolveOptionsJs) -> Result<solver::Options, JsValue> {
+        let text = js_sys::JSON::stringify(options).map(String::from)?;
+        read_options(&text, &self.problem).map_err(|e| error::options(&e))
+    }
+
+    fn plan(&self, names: &[String]) -> Result<Plan, JsValue> {
+        Plan::from_names(self.problem.task(), names).map_err(|e| error::plan(&e))
     }
 }
 
@@ -101,7 +128,7 @@ impl Run {
         let begin = now();
         let done = self.run.advance(budget.into());
         self.milliseconds += now() - begin;
-        done.map_err(|e| thrown("SolveError", &e.to_string()))
+        done.map_err(|e| error::solve(&e))
     }
 
     /// What is known so far.
@@ -111,9 +138,35 @@ impl Run {
 
     /// The answer; of a run that is stopped here, with the best plan found.
     pub fn outcome(&mut self) -> Result<OutcomeJs, JsValue> {
-        let outcome = self.run.outcome().map_err(|e| thrown("SolveError", &e.to_string()))?;
+        let outcome = self.run.outcome().map_err(|e| error::solve(&e))?;
         let mut report = SolveReport::new(self.run.problem(), &outcome);
         report.stats.seconds = Some(self.milliseconds / 1000.0);
         to_js(&report)
+    }
+}
+
+/// The search for remedies at work.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct RemedyRun {
+    run: remedy::RemedyRun,
+}
+
+#[wasm_bindgen]
+impl RemedyRun {
+    /// Works for about this many expansions; true when there is an answer.
+    pub fn advance(&mut self, budget: u32) -> Result<bool, JsValue> {
+        self.run.advance(budget.into()).map_err(|e| error::solve(&e))
+    }
+
+    /// How far the work is.
+    pub fn progress(&self) -> Result<ProgressJs, JsValue> {
+        to_js(&ProgressReport::new(self.run.problem(), &self.run.progress()))
+    }
+
+    /// The answer; of a run that is stopped here, with the remedies found.
+    pub fn outcome(&mut self) -> Result<AdviceJs, JsValue> {
+        let advice = self.run.outcome().map_err(|e| error::solve(&e))?;
+        to_js(&AdviceReport::new(self.run.problem(), &advice))
     }
 }

@@ -28,6 +28,9 @@ export interface SolveOptions {
   forbid?: { observer: string; goal: string }[];
   /** Every reachable pair of survivor counts, for `exact`. */
   pareto?: boolean;
+  /** The best plan of every length from 0 to this one (at most 1000), for `exact` and without a horizon.
+      The plan of the outcome is then the best that has at most so many actions. */
+  lengths?: number;
 }
 
 export interface Outcome {
@@ -39,6 +42,9 @@ export interface Outcome {
   goals: ByObserver<string[]> | null;
   goal_difference: number | null;
   pareto?: { adversarial: number; cooperative: number; plan: string[] }[];
+  /** One for each length from 0, where `lengths` was asked for; of a run that was stopped, only for the
+      lengths that are proved. Null where no plan of that length keeps the bounds. */
+  lengths?: LengthPoint[];
   /** The limit that was met. */
   limit?: string;
   stats: {
@@ -46,6 +52,29 @@ export interface Outcome {
     expansions?: number; generated?: number; belief_size?: number;
     nodes?: number; iterations?: number; variables?: number; rows?: number;
   };
+}
+
+export type LengthPoint =
+  | { length: number; adversarial: number; cooperative: number; goal_difference: number; plan: string[] }
+  | { length: number; adversarial: null; cooperative: null; goal_difference: null; plan: null };
+
+/** Why a run found no plan, and which change of a single option would allow one. */
+export interface Advice {
+  /** The true goal cannot be reached; no plan has exactly so many actions; no such plan keeps the bounds.
+      Null where there is a plan after all, or where the work stopped before that was known. */
+  reason: "unreachable" | "length" | "bounds" | null;
+  /** The length of a shortest plan for the true goal, whatever anybody believes. */
+  shortest: number | null;
+  /** The smallest change first; each with the best plan that it allows. */
+  remedies: Remedy[];
+  /** Whether these are all and nothing nearer would do: no limit or stop came before the proof. */
+  complete: boolean;
+}
+export interface Remedy {
+  change: "horizon" | "k" | "j";
+  value: number;
+  goal_difference: number;
+  plan: string[];
 }
 
 export interface TraceStep {
@@ -58,6 +87,9 @@ export interface TraceStep {
 }
 
 export interface Trace { valid: boolean; steps: TraceStep[]; goal_difference: number }
+
+/** An action that can be taken after a plan, the resulting state, and whether the true goal holds there. */
+export interface NextAction { action: string; state: State; goal: boolean }
 
 export interface Progress {
   solver: SolverName;
@@ -106,6 +138,12 @@ extern "C" {
     /// A replayed plan.
     #[wasm_bindgen(typescript_type = "Trace")]
     pub type TraceJs;
+    /// Why there is no plan, and what would do.
+    #[wasm_bindgen(typescript_type = "Advice")]
+    pub type AdviceJs;
+    /// What can be done after a plan.
+    #[wasm_bindgen(typescript_type = "NextAction[]")]
+    pub type NextActionsJs;
     /// What there is to draw.
     #[wasm_bindgen(typescript_type = "Scene")]
     pub type SceneJs;

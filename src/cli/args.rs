@@ -67,6 +67,7 @@ Solvers:
 
 Examples:
   mo-copp solve grid.json --solver exact --pareto
+  mo-copp solve grid.json --solver exact --lengths 30
   mo-copp solve grid.json --solver ip --encoding paper --horizon 6
   mo-copp solve grid.json --solver ip --horizon 12 --horizon-step 2
   mo-copp solve grid.json --solver exact --require adversarial:G2 --forbid cooperative:G3
@@ -96,6 +97,9 @@ pub struct SolveArgs {
     /// Every reachable pair of survivor counts with a plan for each. For exact.
     #[arg(long)]
     pub pareto: bool,
+    /// The best plan of every length from 0 to L. For exact, without a horizon.
+    #[arg(long, value_name = "L")]
+    pub lengths: Option<usize>,
     /// One JSON object instead of text.
     #[arg(long)]
     pub json: bool,

@@ -21,6 +21,7 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
         horizon_limit: args.horizon_limit,
         bounds: input::bounds(&args.bounds, &problem)?,
         pareto: args.pareto,
+        lengths: args.lengths,
         limits: Limits {
             bytes: args.limits.memory.saturating_mul(1 << 20),
             expansions: args.limits.expansions.unwrap_or(u64::MAX),
@@ -107,6 +108,20 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
             let _ = writeln!(text, "  {pair:8} {:3} actions: {plan}", point.plan.len());
         }
     }
+    if let Some(points) = &report.lengths {
+        let _ = writeln!(text, "best goal difference of each length (goals left to either side):");
+        for point in points {
+            let _ = match (point.adversarial, point.cooperative, point.goal_difference) {
+                (Some(adversarial), Some(cooperative), Some(difference)) => writeln!(
+                    text,
+                    "  {:4} actions: {difference:6.3} ({adversarial}, {cooperative}): {}",
+                    point.length,
+                    point.plan.as_deref().unwrap_or_default().join(", ")
+                ),
+                _ => writeln!(text, "  {:4} actions: no plan", point.length),
+            };
+        }
+    }
     let stats = &report.stats;
     let counts = [
         ("expansions", stats.expansions),
@@ -125,6 +140,9 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
 /// What the status says of this problem.
 fn meaning(options: &Options, outcome: &Outcome) -> String {
     let length = match (options.horizon, outcome.horizon) {
+        _ if options.lengths.is_some() => {
+            format!("of at most {} actions", options.lengths.unwrap_or_default())
+        }
         (Horizon::Any, _) | (Horizon::Auto, None) => "of any length".to_owned(),
         (Horizon::Auto, Some(_)) if options.solver != Solver::Ip => "of any length".to_owned(),
         (Horizon::Steps(_) | Horizon::Auto, Some(steps)) => {

@@ -5,8 +5,10 @@
 //! shares no code with the solvers' state space.
 
 mod execute;
+mod next;
 
 pub use execute::{PlanError, execute};
+pub use next::{NextAction, next_actions};
 
 use crate::task::{Action, Task};
 

@@ -1,16 +1,19 @@
 //! What other programs read: the JSON of the command line and the objects of the JavaScript API.
 
+mod advice;
 mod request;
 mod scene;
 
 use serde::Serialize;
 
+pub use advice::{AdviceReport, RemedyReport};
 pub use request::read_options;
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 
 use crate::goal_difference::GoalSet;
+use crate::plan::NextAction;
 use crate::problem::{Problem, StateLabel};
-use crate::solver::{Outcome, Progress, Solver, Stats};
+use crate::solver::{LengthPoint, Outcome, Progress, Solver, Stats};
 use crate::trace::Trace;
 
 /// A map from the name of each observer to something, in the problem's order.
@@ -51,9 +54,15 @@ pub struct SolveReport {
     /// Every reachable pair of survivor counts, sorted, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pareto: Option<Vec<ParetoReport>>,
+    /// The best plan of each length from 0, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lengths: Option<Vec<LengthReport>>,
     /// The limit that was met.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<String>,
+    /// Why there is no plan and what would do, where somebody looked for that.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remedy: Option<AdviceReport>,
     /// What the work took.
     pub stats: StatsReport,
 }
@@ -67,6 +76,21 @@ pub struct ParetoReport {
     pub cooperative: usize,
     /// The names of the actions.
     pub plan: Vec<String>,
+}
+
+/// The best plan of exactly this many actions; null where no plan of this length keeps the bounds.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LengthReport {
+    /// The number of actions.
+    pub length: usize,
+    /// Goals that survive for the enemy.
+    pub adversarial: Option<usize>,
+    /// Goals that survive for the friend.
+    pub cooperative: Option<usize>,
+    /// The goal difference.
+    pub goal_difference: Option<f64>,
+    /// The names of the actions.
+    pub plan: Option<Vec<String>>,
 }
 
 /// What the work took; only what the solver counts is there.
@@ -130,6 +154,17 @@ pub struct StepReport {
     pub goal_difference: f64,
 }
 
+/// An action that can be taken after a plan.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NextReport {
+    /// The name of the action.
+    pub action: String,
+    /// The resulting state.
+    pub state: StateLabel,
+    /// Whether the true goal holds there.
+    pub goal: bool,
+}
+
 /// How far a solver is.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ProgressReport {
@@ -179,8 +214,25 @@ impl SolveReport {
                 .map(|sets| ByObserver::new(problem, |i| goal_names(problem, &sets[i]))),
             goal_difference: outcome.goal_difference,
             pareto,
+            lengths: outcome.lengths.as_ref().map(|points| {
+                points.iter().map(|point| LengthReport::new(problem, point)).collect()
+            }),
             limit: outcome.limit.map(|limit| limit.to_string()),
+            remedy: None,
             stats: StatsReport::new(outcome.solver, &outcome.stats),
+        }
+    }
+}
+
+impl LengthReport {
+    fn new(problem: &Problem, point: &LengthPoint) -> Self {
+        let best = point.best.as_ref();
+        Self {
+            length: point.length,
+            adversarial: best.map(|best| best.counts.adversarial),
+            cooperative: best.map(|best| best.counts.cooperative),
+            goal_difference: best.map(|best| problem.goal_difference(best.counts)),
+            plan: best.map(|best| best.plan.names(problem.task())),
         }
     }
 }
@@ -221,6 +273,17 @@ impl TraceReport {
             valid: trace.reaches_goal,
             steps: trace.steps.iter().map(step).collect(),
             goal_difference: trace.goal_difference(problem),
+        }
+    }
+}
+
+impl NextReport {
+    /// The report of an action that can be taken.
+    pub fn new(problem: &Problem, next: &NextAction) -> Self {
+        Self {
+            action: problem.task().action_name(next.action).to_owned(),
+            state: problem.label(next.state.words()),
+            goal: next.goal,
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::document::reader::{Fields, Reader};
 use crate::problem::Problem;
 use crate::solver::{Encoding, Horizon, MAX_HORIZON, Options, OptionsError, Solver, Watched};
 
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "solver",
     "encoding",
     "horizon",
@@ -17,6 +17,7 @@ const KEYS: [&str; 10] = [
     "require",
     "forbid",
     "pareto",
+    "lengths",
 ];
 
 /// The options written as a JSON object, as the JavaScript API takes them.
@@ -66,6 +67,9 @@ pub fn read_options(text: &str, problem: &Problem) -> Result<Options, DocumentEr
     options.bounds.forbidden = watched(&fields, "forbid", problem)?;
     if let Some(pareto) = fields.optional("pareto") {
         options.pareto = pareto.boolean()?;
+    }
+    if let Some(lengths) = fields.optional("lengths") {
+        options.lengths = Some(steps(&lengths)?);
     }
     options.check(problem).map_err(|OptionsError { option, found, expected }| {
         DocumentError::invalid(option, found, expected)

@@ -3,7 +3,7 @@
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 
-use super::outcome::{ParetoPoint, Progress, Stats, Status};
+use super::outcome::{LengthPoint, ParetoPoint, Progress, Stats, Status};
 
 /// Where the work stands after a slice.
 #[derive(Debug)]
@@ -20,22 +20,23 @@ pub(super) struct Finding {
     pub status: Status,
     pub plan: Option<Plan>,
     pub pareto: Option<Vec<ParetoPoint>>,
+    pub lengths: Option<Vec<LengthPoint>>,
     pub limit: Option<LimitReached>,
 }
 
 impl Finding {
     pub(super) fn infeasible() -> Self {
-        Self { status: Status::Infeasible, plan: None, pareto: None, limit: None }
+        Self { status: Status::Infeasible, plan: None, pareto: None, lengths: None, limit: None }
     }
 
     pub(super) fn plan(status: Status, plan: Plan) -> Self {
-        Self { status, plan: Some(plan), pareto: None, limit: None }
+        Self { status, plan: Some(plan), ..Self::infeasible() }
     }
 
     /// Stopped before the proof, with or without a plan.
     pub(super) fn stopped(plan: Option<Plan>, limit: LimitReached) -> Self {
         let status = if plan.is_some() { Status::Feasible } else { Status::Limit };
-        Self { status, plan, pareto: None, limit: Some(limit) }
+        Self { status, plan, limit: Some(limit), ..Self::infeasible() }
     }
 }
 

@@ -67,9 +67,13 @@ impl LiveLayers {
 /// States from which the true goal can be reached at all.
 #[derive(Debug)]
 pub(in crate::solver) struct Live {
-    /// None when the state space was too large to go through first: then all count as live.
-    states: Option<FixedBitSet>,
+    /// The fewest actions from each state to the true goal. None when the state space was too large
+    /// to go through first: then all count as live.
+    distances: Option<Vec<u32>>,
 }
+
+/// The distance of a state from which the true goal cannot be reached.
+const NEVER: u32 = u32::MAX;
 
 /// State spaces above this size are not gone through before the search itself.
 const MOST_STATES: usize = 200_000;
@@ -82,7 +86,7 @@ impl Live {
         let mut index = 0;
         while index < joint.states().len() {
             if joint.states().len() > MOST_STATES {
-                return Ok(Self { states: None });
+                return Ok(Self { distances: None });
             }
             joint.states_mut().expand(StateId(index as u32));
             index += 1;
@@ -97,22 +101,35 @@ impl Live {
                 sources[edge.target.index()].push(source);
             }
         }
-        let mut states = FixedBitSet::with_capacity(count);
+        let mut distances = vec![NEVER; count];
         let goals = (0..count as u32).filter(|&state| joint.is_goal(StateId(state)));
-        let mut stack: Vec<u32> = goals.collect();
-        states.extend(stack.iter().map(|&state| state as usize));
-        while let Some(state) = stack.pop() {
+        let mut queue: Vec<u32> = goals.collect();
+        for &goal in &queue {
+            distances[goal as usize] = 0;
+        }
+        let mut next = 0;
+        while let Some(&state) = queue.get(next) {
+            next += 1;
             for &source in &sources[state as usize] {
-                if !states.put(source as usize) {
-                    stack.push(source);
+                if distances[source as usize] == NEVER {
+                    distances[source as usize] = distances[state as usize] + 1;
+                    queue.push(source);
                 }
             }
         }
-        Ok(Self { states: Some(states) })
+        Ok(Self { distances: Some(distances) })
+    }
+
+    /// The fewest actions from a state to the true goal, none where it cannot be reached; 0 for all
+    /// states of a space that was too large.
+    pub(in crate::solver) fn distance(&self, state: StateId) -> Option<usize> {
+        let Some(distances) = &self.distances else { return Some(0) };
+        let distance = distances.get(state.index()).copied().unwrap_or(NEVER);
+        (distance != NEVER).then_some(distance as usize)
     }
 
     /// Whether the true goal may be reachable from a state.
     pub(in crate::solver) fn contains(&self, state: StateId) -> bool {
-        self.states.as_ref().is_none_or(|states| states.contains(state.index()))
+        self.distance(state).is_some()
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! | solver | answers | plan |
 //! |---|---|---|
-//! | [`exact`] | the best goal difference at a horizon or over all, and every reachable pair of survivor counts | proved best |
+//! | [`exact`] | the best goal difference at a horizon, at each up to a longest one, or over all, and every reachable pair of survivor counts | proved best |
 //! | [`ip`] | the best goal difference at a horizon, by integer programming in two encodings | proved best |
 //! | [`best_first`]: search | a plan that keeps the bounds k and j | the first found |
 //! | baseline | a plan for the true goal alone | the first found |
@@ -19,9 +19,13 @@ pub mod ip;
 mod live;
 mod options;
 mod outcome;
+pub mod remedy;
 mod run;
+mod shortest;
 mod tree;
 
-pub use options::{Bounds, Encoding, Horizon, MAX_HORIZON, Options, OptionsError, Solver, Watched};
-pub use outcome::{Outcome, ParetoPoint, Progress, Stats, Status};
+pub use options::{
+    Bounds, Encoding, Horizon, MAX_HORIZON, MAX_LENGTHS, Options, OptionsError, Solver, Watched,
+};
+pub use outcome::{LengthPoint, Outcome, ParetoPoint, Progress, Stats, Status};
 pub use run::{Run, SolveError, abandoned, solve};

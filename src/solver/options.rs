@@ -9,6 +9,10 @@ use crate::problem::{Problem, SurvivorCounts};
 /// The longest horizon that can be asked for.
 pub const MAX_HORIZON: usize = crate::plan::MAX_LENGTH;
 
+/// The longest plans of which the best of each length can be asked for: the plans for all lengths
+/// up to this one have half a million actions.
+pub const MAX_LENGTHS: usize = 1000;
+
 /// Which solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Solver {
@@ -159,6 +163,9 @@ pub struct Options {
     pub bounds: Bounds,
     /// Whether every reachable pair of survivor counts is wanted, for [`Solver::Exact`].
     pub pareto: bool,
+    /// The longest of the lengths for each of which the best plan is wanted, for
+    /// [`Solver::Exact`]: from 0 to this one. The plan asked for has at most so many actions.
+    pub lengths: Option<usize>,
     /// Where to stop.
     pub limits: Limits,
 }
@@ -174,6 +181,7 @@ impl Options {
             horizon_limit: 100,
             bounds: Bounds::default(),
             pareto: false,
+            lengths: None,
             limits: Limits::default(),
         }
     }
@@ -238,7 +246,25 @@ impl Options {
                 expected: "the solver exact".to_owned(),
             });
         }
-        Ok(())
+        self.check_lengths()
+    }
+
+    fn check_lengths(&self) -> Result<(), OptionsError> {
+        let Some(longest) = self.lengths else { return Ok(()) };
+        let (found, expected) = match self.horizon {
+            _ if longest > MAX_LENGTHS => {
+                (longest.to_string(), format!("a whole number from 0 to {MAX_LENGTHS}"))
+            }
+            _ if self.solver != Solver::Exact => {
+                (format!("the solver {}", self.solver.name()), "the solver exact".to_owned())
+            }
+            Horizon::Steps(steps) => (
+                format!("a horizon of {steps}"),
+                format!("no horizon, since all from 0 to {longest} are tried"),
+            ),
+            Horizon::Auto | Horizon::Any => return Ok(()),
+        };
+        Err(OptionsError { option: "lengths", found, expected })
     }
 
     /// The bounds that a solver heeds: obfuscation knows no j, legibility no k, the baseline

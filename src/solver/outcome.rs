@@ -44,6 +44,16 @@ pub struct ParetoPoint {
     pub plan: Plan,
 }
 
+/// The best plan of exactly this many actions.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LengthPoint {
+    /// The number of actions.
+    pub length: usize,
+    /// The survivor counts with the best goal difference, and a plan that ends with them; none
+    /// where no plan of this length keeps the bounds.
+    pub best: Option<ParetoPoint>,
+}
+
 /// What the work took. Same input, same numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stats {
@@ -129,6 +139,9 @@ pub struct Outcome {
     pub goal_difference: Option<f64>,
     /// Every reachable pair of survivor counts, sorted, where that was asked for.
     pub pareto: Option<Vec<ParetoPoint>>,
+    /// The best of each length from 0, where that was asked for; of a run that was stopped, of the
+    /// lengths that are proved.
+    pub lengths: Option<Vec<LengthPoint>>,
     /// The limit that was met.
     pub limit: Option<LimitReached>,
     /// What the work took.

@@ -7,13 +7,13 @@ use thiserror::Error;
 
 use crate::limits::LimitReached;
 use crate::problem::Problem;
-use crate::task::StateSpace;
 use crate::trace::{Achievement, validate};
 
 use super::best_first::{baseline, search};
 use super::engine::{Advance, Engine, Finding};
-use super::exact::{closure, layers};
-use super::outcome::{Outcome, Progress, Stats, Status};
+use super::exact::{closure, layers, lengths};
+use super::outcome::{LengthPoint, Outcome, Progress, Stats, Status};
+use super::shortest::{Reached, Shortest};
 use super::{Horizon, Options, OptionsError, Solver, ip};
 
 /// Why a run cannot give an answer.
@@ -107,6 +107,9 @@ impl Run {
 
     fn start(&self) -> Result<Box<dyn Engine>, LimitReached> {
         let (problem, options) = (Arc::clone(&self.problem), &self.options);
+        if let Some(longest) = options.lengths {
+            return Ok(Box::new(lengths::Lengths::new(problem, options, longest)));
+        }
         Ok(match (options.solver, self.horizon) {
             (Solver::Exact, Some(steps)) => Box::new(layers::Layers::new(problem, options, steps)),
             (Solver::Exact, None) => Box::new(closure::Closure::new(problem, options)),
@@ -251,7 +254,8 @@ pub fn abandoned(
         Horizon::Steps(steps) => Some(steps),
         Horizon::Auto | Horizon::Any => None,
     };
-    let horizon = progress.map_or(asked, |progress| progress.horizon);
+    let reached = progress.filter(|_| options.lengths.is_none());
+    let horizon = reached.map_or(asked, |progress| progress.horizon);
     let stats = progress.map_or_else(Stats::default, |progress| progress.stats);
     let finding = Finding::stopped(plan, LimitReached::Cancelled);
     conclude(problem, options, horizon, &finding, stats)
@@ -275,6 +279,7 @@ fn conclude(
         survivors: None,
         goal_difference: None,
         pareto: None,
+        lengths: None,
         limit: finding.limit,
         stats,
     };
@@ -303,6 +308,16 @@ fn conclude(
             }
         }
         outcome.pareto = Some(points.clone());
+    }
+    if let Some(points) = &finding.lengths {
+        for LengthPoint { length, best } in points {
+            if let Some(best) = best
+                && (replay(&best.plan)?.counts != best.counts || best.plan.len() != *length)
+            {
+                return Err(SolveError::Replay(format!("the best of length {length} is wrong")));
+            }
+        }
+        outcome.lengths = Some(points.clone());
     }
     Ok(outcome)
 }
@@ -342,24 +357,10 @@ fn shortest_plan_length(
     problem: &Problem,
     options: &Options,
 ) -> Result<Option<usize>, LimitReached> {
-    let task = problem.task();
-    let mut space = StateSpace::new(Arc::clone(task));
-    let mut layer = vec![space.intern(task.initial_state())];
-    let mut length = 0;
-    while !layer.is_empty() {
-        let mut next = Vec::new();
-        for &state in &layer {
-            if task.satisfies(space.words(state), task.goal()) {
-                return Ok(Some(length));
-            }
-            let known = space.len();
-            space.expand(state);
-            let new = space.edges(state).iter().map(|edge| edge.target);
-            next.extend(new.filter(|target| target.index() >= known));
-            options.limits.check_bytes(space.bytes())?;
-        }
-        layer = next;
-        length += 1;
+    let mut shortest = Shortest::new(problem.task(), options.limits);
+    let mut budget = u64::MAX;
+    match shortest.advance(&mut budget)? {
+        Reached::After(length) => Ok(Some(length)),
+        Reached::NotYet | Reached::Never => Ok(None),
     }
-    Ok(None)
 }

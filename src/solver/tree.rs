@@ -33,6 +33,13 @@ impl<K: Copy + Eq + Hash> SearchTree<K> {
 
     /// The position of a node that has not been met before; none for one that has.
     pub(super) fn meet(&mut self, key: K, parent: usize, action: Action) -> Option<usize> {
+        let known = self.nodes.len();
+        let position = self.number(key, parent, action);
+        (position == known).then_some(position)
+    }
+
+    /// The position of a node, whether it has been met before or not.
+    pub(super) fn number(&mut self, key: K, parent: usize, action: Action) -> usize {
         let hash = |key: &K| BuildHasherDefault::<FxHasher>::default().hash_one(key);
         let nodes = &self.nodes;
         let entry = self.table.entry(
@@ -40,11 +47,15 @@ impl<K: Copy + Eq + Hash> SearchTree<K> {
             |&other| nodes[other as usize].key == key,
             |&other| hash(&nodes[other as usize].key),
         );
-        let Entry::Vacant(vacant) = entry else { return None };
-        let position = self.nodes.len();
-        vacant.insert(position as u32);
-        self.nodes.push(Met { key, parent: parent as u32, action });
-        Some(position)
+        match entry {
+            Entry::Occupied(known) => *known.get() as usize,
+            Entry::Vacant(vacant) => {
+                let position = self.nodes.len();
+                vacant.insert(position as u32);
+                self.nodes.push(Met { key, parent: parent as u32, action });
+                position
+            }
+        }
     }
 
     /// From here on a node counts as new even if it has been met before.

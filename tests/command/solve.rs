@@ -178,3 +178,39 @@ fn a_mark_of_the_encoding_is_no_part_of_a_document() {
     let ran = mo_copp(&format!("\u{feff}{EXPLICIT}"), &["solve", "-", "--json"]);
     assert_eq!(ran.code, 0, "{}", ran.err);
 }
+
+#[test]
+fn the_best_of_each_length_is_shown() {
+    let ran = mo_copp(GRID, &["solve", "-", "--solver", "exact", "--lengths", "16", "--json"]);
+    assert_eq!((ran.code, ran.err.as_str()), (0, ""));
+    let answer = ran.json();
+    let points = answer["lengths"].as_array().unwrap();
+    assert_eq!(points.len(), 17);
+    let none = serde_json::json!({
+        "length": 13, "adversarial": null, "cooperative": null, "goal_difference": null,
+        "plan": null,
+    });
+    assert_eq!(points[13], none);
+    for length in [14, 16] {
+        let text = length.to_string();
+        let alone = mo_copp(GRID, &["solve", "-", "--horizon", &text, "--json"]).json();
+        assert_eq!(points[length]["goal_difference"], alone["goal_difference"]);
+        assert_eq!(points[length]["plan"].as_array().unwrap().len(), length);
+        for role in ["adversarial", "cooperative"] {
+            let count = alone["goals"][role].as_array().unwrap().len();
+            assert_eq!(points[length][role], count);
+        }
+    }
+    assert_eq!(answer["horizon"], 14);
+    let ran = mo_copp(GRID, &["solve", "-", "--lengths", "14"]);
+    let lines: Vec<&str> = ran.out.lines().collect();
+    assert_eq!(lines[0], "optimal: no plan of at most 14 actions has a greater goal difference");
+    let place = lines.iter().position(|line| line.starts_with("best goal difference of each"));
+    let table = &lines[place.unwrap() + 1..][..15];
+    assert_eq!(table[13], "    13 actions: no plan");
+    assert!(table[14].starts_with("    14 actions:  0."), "{}", table[14]);
+    let ran = mo_copp(GRID, &["solve", "-", "--lengths", "13", "--json"]);
+    assert_eq!((ran.code, ran.json()["status"].as_str()), (1, Some("infeasible")));
+    let ran = mo_copp(GRID, &["solve", "-", "--lengths", "13", "--horizon", "13"]);
+    assert_eq!(ran.code, 2);
+}

@@ -8,7 +8,7 @@ import { written } from "../../www/src/problem/text.js";
 import type { DeliveryDocument, Role } from "../../www/src/problem/types.js";
 import { scene, solve, taken } from "./support/core.js";
 import { Dice } from "./support/dice.js";
-import { delivery } from "./support/documents.js";
+import { figure1 as delivery } from "./support/documents.js";
 
 const figure = JSON.parse(delivery) as DeliveryDocument;
 const roles: readonly Role[] = ["adversarial", "cooperative"];

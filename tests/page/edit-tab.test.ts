@@ -4,7 +4,7 @@ import { test } from "node:test";
 import type { Page } from "playwright-core";
 import type { DeliveryDocument } from "../../www/src/problem/types.js";
 import { solve } from "./support/core.js";
-import { delivery, explicit } from "./support/documents.js";
+import { figure1, explicit } from "./support/documents.js";
 import { assertLive, documentOf, dragMouse, edit } from "./support/hands.js";
 import { attribute, openTab, press, stepIs, useDocument } from "./support/playground.js";
 
@@ -132,7 +132,7 @@ test("a new grid begins empty, and Undo brings the problem back", () =>
 
 test("a delivery is edited in all its parts", () =>
   edit(async (page) => {
-    await useDocument(page, delivery);
+    await useDocument(page, figure1);
     await page.locator("[data-goal='a1+b1']").first().waitFor();
     await openTab(page, "Edit");
     const live = async () => {

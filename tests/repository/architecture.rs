@@ -21,7 +21,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "solver",
         &["belief", "goal_difference", "heuristic", "limits", "plan", "problem", "task", "trace"],
     ),
-    ("report", &["document", "domain", "goal_difference", "problem", "solver", "trace"]),
+    ("report", &["document", "domain", "goal_difference", "plan", "problem", "solver", "trace"]),
     ("bindings", &["document", "domain", "plan", "problem", "report", "solver", "trace"]),
     ("cli", &["document", "domain", "limits", "plan", "problem", "report", "solver", "trace"]),
 ];

@@ -7,12 +7,17 @@
 //! - [`layers`] goes through them step by step, for plans of exactly T actions,
 //! - [`closure`] goes through them breadth first until there are no new ones, for plans of all
 //!   lengths,
+//! - [`lengths`] goes through them step by step up to a longest plan, for the best of each length,
+//!   on a [`graph`] of nodes that are met once.
 //!
 //! Nothing is looked at that cannot reach the true goal any more.
 //!
-//! Both find every reachable pair of survivor counts, which is more than the Pareto set the paper
+//! All find every reachable pair of survivor counts, which is more than the Pareto set the paper
 //! names and leaves out.
 
 pub mod closure;
+pub mod ends;
+pub mod graph;
 pub mod layers;
+pub mod lengths;
 mod pairs;

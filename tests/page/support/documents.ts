@@ -92,17 +92,27 @@ export const explicit: string = JSON.stringify({
   },
 });
 
-/** Figure 1 of the paper. */
-export const delivery: string = JSON.stringify({
-  format: "delivery",
-  factories: [
-    { name: "A", packages: ["a1", "a2"] },
-    { name: "B", packages: ["b1", "b2"] },
-  ],
-  deliver: 2,
-  true_goal: "a1+a2",
-  observers: {
-    adversarial: { sensor: { load: "package", deliver: "delivery" } },
-    cooperative: { sensor: { load: { A: "barcode A", B: "barcode B" }, deliver: "delivery" } },
-  },
-});
+/** The paper's delivery. */
+export const figure1: string = delivery([2, 2], 2);
+
+/** Factories A, B, … with so many packages each. */
+export function delivery(counts: readonly number[], deliver: number): string {
+  const factories = counts.map((count, index) => {
+    const name = String.fromCharCode(65 + index);
+    return { name, packages: Array.from({ length: count }, (_, pack) => `${name.toLowerCase()}${pack + 1}`) };
+  });
+  const load = Object.fromEntries(factories.map(({ name }) => [name, `barcode ${name}`]));
+  return JSON.stringify({
+    format: "delivery",
+    factories,
+    deliver,
+    true_goal: factories
+      .flatMap(({ packages }) => packages)
+      .slice(0, deliver)
+      .join("+"),
+    observers: {
+      adversarial: { sensor: { load: "package", deliver: "delivery" } },
+      cooperative: { sensor: { load, deliver: "delivery" } },
+    },
+  });
+}

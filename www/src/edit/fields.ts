@@ -26,10 +26,14 @@ function faultOf({ editing, latest }: Playground, field: string) {
   return fault !== null && fault.field === field && fault.document === latest ? fault : null;
 }
 
+const faultId = ({ workbench }: Playground, field: string): string => `${workbench.id}-fault-${field}`;
+
 /** Why the last edit there could not be made. */
 export function faultText(playground: Playground, field: string): TemplateResult | typeof nothing {
   const fault = faultOf(playground, field);
-  return fault === null ? nothing : html`<p class="fault" id="fault-${field}" role="alert">${fault.message}</p>`;
+  return fault === null
+    ? nothing
+    : html`<p class="fault" id=${faultId(playground, field)} role="alert">${fault.message}</p>`;
 }
 
 interface TextField {
@@ -57,7 +61,7 @@ export function textField(playground: Playground, options: TextField): TemplateR
       <span class=${bare ? "unseen" : ""}>${label}</span>
       <input type="text" autocomplete="off" spellcheck="false" maxlength=${LONGEST_NAME} name=${field}
         list=${list ?? nothing} placeholder=${placeholder ?? nothing} .value=${fault?.text ?? value}
-        aria-invalid=${String(fault !== null)} aria-describedby=${fault === null ? nothing : `fault-${field}`}
+        aria-invalid=${String(fault !== null)} aria-describedby=${fault === null ? nothing : faultId(playground, field)}
         @change=${change} @keydown=${leaveOnEnter} />
     </label>
     ${faultText(playground, field)}
@@ -85,7 +89,7 @@ export function numberField(playground: Playground, options: NumberField): Templ
     <label>
       <span>${label}</span>
       <input type="number" min=${least} max=${most} step="1" name=${field} .value=${fault?.text ?? String(value)}
-        aria-invalid=${String(fault !== null)} aria-describedby=${fault === null ? nothing : `fault-${field}`}
+        aria-invalid=${String(fault !== null)} aria-describedby=${fault === null ? nothing : faultId(playground, field)}
         @change=${change} />
     </label>
     ${faultText(playground, field)}

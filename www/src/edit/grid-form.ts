@@ -25,7 +25,7 @@ export function gridForm(playground: Playground, document: GridworldDocument): T
       </div>
     </fieldset>
     ${goalsForm(playground, document)}
-    <datalist id="symbols">${symbolsOf(document).map((symbol) => html`<option value=${symbol}></option>`)}</datalist>
+    <datalist id="${playground.workbench.id}-symbols">${symbolsOf(document).map((symbol) => html`<option value=${symbol}></option>`)}</datalist>
     ${roles.map((role) => observerForm(playground, document, role))}
   `;
 }

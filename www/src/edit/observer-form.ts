@@ -41,7 +41,7 @@ export function observerForm(playground: Playground, document: GridworldDocument
           field: `${role}-${move}`,
           label: move === "stay" ? "Staying" : `Moving ${move}`,
           value: sensor[move] ?? "",
-          list: "symbols",
+          list: `${playground.workbench.id}-symbols`,
           save: (text) => setSymbol(document, role, move, text),
         }),
       )}

@@ -1,57 +1,51 @@
-// What the solver is doing, or what it answered.
-import { html, type TemplateResult } from "lit";
-import type { Outcome, Progress, SolveOptions } from "../core.js";
+// What the solver is doing, or what it answered and whose plan is shown.
+import { html, nothing, type TemplateResult } from "lit";
+import { solvers } from "../state/form.js";
 import type { Playground, Result } from "../state/playground.js";
-import { shortNumber, wholeNumber } from "../view/numbers.js";
+import { counted, shortNumber } from "../view/numbers.js";
+import { infeasible } from "./infeasible.js";
+import { shownPlan } from "./shown-plan.js";
+import { caveat, scope, verdict } from "./verdict.js";
+import { work } from "./work.js";
 
 export function result(playground: Playground): TemplateResult {
   const solving = playground.status.value === "solving" && playground.slow.value;
   const last = playground.result.value;
   // Only the answer is announced: progress changes many times a second.
   return html`<div class="result">
-    ${solving ? working(playground.progress.value) : ""}
-    <div role="status">${solving || last === null ? "" : answered(last)}</div>
+    ${solving ? working(playground) : nothing}
+    <div role="status">${solving || last === null ? nothing : answered(last)}</div>
+    ${solving || last === null ? nothing : further(playground, last)} ${shownPlan(playground)}
   </div>`;
 }
 
-function working(progress: Progress | null): TemplateResult {
-  return html`<progress aria-label="Solving"></progress>
-    <p>${progress === null ? "Solving…" : soFar(progress)}</p>`;
+function working(playground: Playground): TemplateResult {
+  return html`${work(playground.progress.value, playground.stopwatch.seconds.value, "Solving")}
+    <button type="button" @click=${() => playground.cancel()}>Cancel</button>
+    <small>The best plan found so far is kept.</small>`;
 }
 
-function soFar({ unit, done, horizon, goal_difference, bound }: Progress): string {
-  const parts = [`${wholeNumber(done)} ${unit === "nodes" ? "nodes" : "states"} looked at`];
-  if (horizon !== null) parts.push(`plan length ${horizon}`);
-  parts.push(goal_difference === null ? "no plan yet" : `best so far ${shortNumber(goal_difference)}`);
-  if (bound !== null) parts.push(`at most ${shortNumber(bound)}`);
-  return `${parts.join(", ")}.`;
+function answered(last: Result): TemplateResult {
+  const { options } = last;
+  return html`<p><b>${solvers[options.solver].title}: ${verdict(last)}${scope(last)}.</b> ${figures(last)} ${caveat(last)}</p>`;
 }
 
-const verdicts: Record<Outcome["status"], [title: string, meaning: string]> = {
-  optimal: ["Proved optimal", "No such plan has a larger goal difference."],
-  solved: ["Solved", "This plan keeps to what was asked; a better one may exist."],
-  feasible: ["Best found", "Stopped before the proof; a better plan may exist."],
-  infeasible: ["No plan", "It is proved that no plan does what was asked."],
-  limit: ["Stopped", "No plan was found, and nothing is proved."],
-};
-
-function answered({ options, outcome }: Result): TemplateResult {
-  const [title, meaning] = verdicts[outcome.status];
-  return html`<p><b>${title}${scope(options, outcome)}.</b> ${length(options, outcome)}${meaning}</p>`;
+function figures({ outcome }: Result): string {
+  const { plan, goal_difference } = outcome;
+  if (plan === null || goal_difference === null) return "";
+  return `Goal difference ${shortNumber(goal_difference)} in ${counted(plan.length, "move")}.`;
 }
 
-const everyLength = (options: SolveOptions): boolean => options.solver === "exact" && options.horizon === undefined;
-
-/** Among which plans it is the best: without that, "optimal" says too much. */
-function scope(options: SolveOptions, { status, plan }: Result["outcome"]): string {
-  if (status !== "optimal" || plan === null) return "";
-  return ` among plans of ${everyLength(options) ? "every length" : moves(plan.length)}`;
+/** What can be done from here: with no plan the nearest that has one, else the solver that was chosen. */
+function further(playground: Playground, last: Result): TemplateResult {
+  const { solver } = playground.form.value;
+  const other = solver !== last.options.solver && solver === playground.ran.value;
+  const stopped = solver === "exact" && ["feasible", "limit"].includes(last.outcome.status);
+  return html`${last.outcome.status === "infeasible" ? infeasible(playground, last) : nothing}
+    ${
+      other || stopped
+        ? html`<button type="button" class="again" @click=${() => playground.solve()}>
+            Solve again${other ? ` with ${solvers[solver].title}` : ""}</button>`
+        : nothing
+    }`;
 }
-
-/** How long the plan is, where the scope has not said so. */
-function length(options: SolveOptions, { status, plan }: Result["outcome"]): string {
-  if (plan === null || (status === "optimal" && !everyLength(options))) return "";
-  return `${moves(plan.length)}. `;
-}
-
-const moves = (count: number): string => `${count} ${count === 1 ? "move" : "moves"}`;

@@ -1,17 +1,51 @@
 // The step, said once in words for those who do not see the boards.
+import { effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
 import type { TraceStep } from "../core.js";
 import type { Playground } from "../state/playground.js";
 import { called, type Role } from "../view/observers.js";
+import { pressed } from "../view/pressed.js";
 
-export function announcement(playground: Playground): TemplateResult {
-  const { said } = playground.editing;
-  return html`<p class="unseen" aria-live="polite"><span>${sentence(playground)}</span> <span>${said.value}</span></p>`;
+/** A key held down, or an edit that is solved again and again, is one change and not many. */
+const QUIET_MS = 250;
+
+/** Says where one has come to, once one has come to rest. */
+export class Announcer {
+  readonly said: ReadonlySignal<string>;
+  private readonly words = signal("");
+  private stop: (() => void) | undefined;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(readonly playground: Playground) {
+    this.said = this.words;
+  }
+
+  listen(): void {
+    this.stop ??= effect(() => {
+      const words = sentence(this.playground);
+      clearTimeout(this.timer);
+      if (pressed.value || words === this.words.peek()) return;
+      this.timer = setTimeout(() => {
+        this.words.value = words;
+      }, QUIET_MS);
+    });
+  }
+
+  release(): void {
+    clearTimeout(this.timer);
+    this.stop?.();
+    this.stop = undefined;
+  }
+}
+
+export function announcement(announcer: Announcer): TemplateResult {
+  const { said } = announcer.playground.editing;
+  return html`<p class="unseen" aria-live="polite"><span>${announcer.said.value}</span> <span>${said.value}</span></p>`;
 }
 
 function sentence({ timeline, mode }: Playground): string {
   const shown = timeline.shown.value;
-  // Playing would be a stream of words; the step it stops at is said.
+  // Playing would be a stream of words: only the step it stops at is said.
   if (shown === null || timeline.playing.value) return "";
   const where = `Step ${timeline.step.value}${shown.action === null || mode.value === "guess" ? "" : `, ${shown.action}`}`;
   if (mode.value === "guess") return `${where}: ${part("adversarial", shown)}.`;

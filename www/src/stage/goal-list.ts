@@ -1,5 +1,6 @@
 // The candidate goals, and whether each is possible for each observer: at the step shown, and at the end.
 import { html, type TemplateResult } from "lit";
+import { glossaryLink } from "../help/glossary-link.js";
 import type { Playground } from "../state/playground.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { called, type Role, roles } from "../view/observers.js";
@@ -11,12 +12,14 @@ export function goalList(playground: Playground): TemplateResult | "" {
   const end = trace.value?.steps.at(-1);
   if (scene === null || shown.value === null || end === undefined) return "";
   const ends = goalViews(scene, end);
+  const guessing = playground.mode.value === "guess";
+  const shownRoles = guessing ? roles.filter((role) => role === "adversarial") : roles;
   return html`<table class="goals">
-    <caption>Which goals are possible?</caption>
+    <caption>Which ${glossaryLink("candidate-goal", "goals")} are ${glossaryLink("possible", "possible")}?</caption>
     <thead>
       <tr>
         <th scope="col">Goal</th>
-        ${roles.map((role) => html`<th scope="col" class=${role}>For the ${called[role]}</th>`)}
+        ${shownRoles.map((role) => html`<th scope="col" class=${role}>For the ${called[role]}</th>`)}
       </tr>
     </thead>
     <tbody>
@@ -24,21 +27,26 @@ export function goalList(playground: Playground): TemplateResult | "" {
         (goal, index) => html`<tr data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
           data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
           <th scope="row">
-            <span class="name">${goal.name}</span>
+            ${
+              guessing
+                ? html`<span class="name">${goal.name}</span>`
+                : html`<button type="button" class="choose name" title="Show when it dies"
+                    @click=${() => playground.story.choose(goal.name)}>${goal.name}</button>`
+            }
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
           </th>
-          ${roles.map((role) => survival(role, goal, ends[index]))}
+          ${shownRoles.map((role) => survival(role, goal, guessing ? undefined : ends[index]))}
         </tr>`,
       )}
     </tbody>
-  </table>`;
+  </table>
+  <p class="story" role="status">${guessing ? "" : playground.story.sentence.value || "Choose a goal to see when it dies, and by which symbol."}</p>`;
 }
 
 function survival(role: Role, goal: GoalView, end: GoalView | undefined): TemplateResult {
   const alive = goal.alive[role];
-  const later = end?.alive[role] ?? alive;
   return html`<td class="${role} ${alive ? "alive" : "dead"}">
-    ${alive ? possible : ruledOut}${alive ? "possible" : "ruled out"}
-    <span class="end">${later ? "possible at the end" : "ruled out at the end"}</span>
+    ${alive ? possible : ruledOut}${alive ? "possible" : "not now"}
+    ${end === undefined ? "" : html`<span class="end">at the end: ${end.alive[role] ? "possible" : "ruled out"}</span>`}
   </td>`;
 }

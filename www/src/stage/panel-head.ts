@@ -18,9 +18,8 @@ export function panelHead(name: BoardName, playground: Playground): TemplateResu
 
 function now(name: BoardName, { timeline, mode }: Playground): TemplateResult | string {
   const shown = timeline.shown.value;
-  if (shown === null) return "";
+  if (shown === null || (mode.value === "guess" && name !== "adversarial")) return "";
   if (name === "actor") {
-    if (mode.value === "guess") return "";
     const who = mode.value === "walk" ? "You" : "The agent";
     if (shown.action === null) return `${who} ${mode.value === "walk" ? "stand" : "stands"} at the start.`;
     return html`${who} did <b>${shown.action}</b>.`;

@@ -1,15 +1,25 @@
 // The playground's state, all in one place, and what can be done to it. Views read the signals and call the actions.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import type { NextAction, Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import { Gallery } from "../gallery/gallery.js";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
-import type { Ending, SolverClient } from "../worker/client.js";
+import { Draft } from "../share/draft.js";
+import { type Ending, SolverClient } from "../worker/client.js";
 import type { Answered, Update } from "../worker/protocol.js";
+import { Adviser } from "./adviser.js";
 import { Coalesce } from "./coalesce.js";
+import { Comparison } from "./comparison.js";
 import { Editing } from "./editing.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
+import { GoalStory } from "./goal-story.js";
+import { Guess } from "./guess.js";
 import { History } from "./history.js";
+import { Drafts, fitted } from "./numbers.js";
+import { Stopwatch } from "./stopwatch.js";
 import { Timeline } from "./timeline.js";
+import { Tradeoff } from "./tradeoff.js";
+import { Walk } from "./walk.js";
 import { Workbench } from "./workbench.js";
 
 export type Status = "idle" | "solving" | "error" | Outcome["status"];
@@ -53,11 +63,25 @@ export class Playground {
   readonly chosen = signal<string | null>(null);
   readonly timeline = new Timeline();
   readonly history = new History<OpenDocument>();
+  /** The solver that was run by hand last, on this problem or on what it was edited from. */
+  readonly ran = signal<Form["solver"] | null>(null);
   readonly workbench = new Workbench();
+  readonly story = new GoalStory(this.timeline);
+  readonly walker = new Walk(this);
+  readonly guess = new Guess(this);
+  readonly drafts = new Drafts();
+  readonly adviser = new Adviser(this);
+  readonly comparison = new Comparison(this);
+  readonly tradeoff = new Tradeoff(this);
+  /** How long the solver has been at work. */
+  readonly stopwatch = new Stopwatch();
   readonly editing = new Editing();
+  readonly gallery = new Gallery(this);
+  readonly draft = new Draft(this);
 
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null> = computed(() => {
+    if (this.mode.value === "guess") return null;
     const trace = this.timeline.trace.value;
     return trace?.valid && this.hasPlan.value ? trace.goal_difference : null;
   });
@@ -74,7 +98,12 @@ export class Playground {
   private wanted: OpenDocument | null = null;
   /** The document before the edit under way. */
   private before: OpenDocument | null = null;
+  /** What the best possible was asked for last. */
+  private asked = "";
   private readonly live = new Coalesce<Job>((job) => this.perform(job));
+
+  /** For short questions while the other solves. */
+  private readonly aside = new SolverClient();
 
   constructor(private readonly client: SolverClient) {}
 
@@ -104,6 +133,7 @@ export class Playground {
       this.refuse(options);
       return false;
     }
+    this.asked = JSON.stringify(options);
     this.begin();
     await this.perform({ document, options, at: "end" });
     if (this.document.value !== document) {
@@ -112,6 +142,7 @@ export class Playground {
     }
     if (before !== null && before.text !== text) this.history.record(before);
     this.origin.value = document;
+    this.ran.value = null;
     return true;
   }
 
@@ -158,11 +189,16 @@ export class Playground {
     if (this.origin.value !== null) this.apply(this.origin.value.value);
   }
 
-  /** Changes what is asked of the solver. Exact answers follow at once. */
+  /**
+   * Changes what is asked of the solver. The best possible follows at once, whatever the solver: what it is depends on
+   * the bounds.
+   */
   edit(change: Partial<Form>): void {
     this.form.value = { ...this.form.value, ...change };
     const document = this.wanted ?? this.document.value;
-    if (this.form.value.solver === "exact" && document !== null) this.solveLive(document);
+    const asked = JSON.stringify(exactOptions(this.form.value));
+    const wanted = this.form.value.solver === "exact" && this.result.value?.options.solver !== "exact";
+    if (document !== null && (wanted || asked !== this.asked)) this.solveLive(document);
   }
 
   /** Runs the solver that was chosen. */
@@ -172,6 +208,7 @@ export class Playground {
     this.live.clear();
     const options = optionsOf(this.form.value);
     if (typeof options === "string") return this.refuse(options);
+    this.ran.value = options.solver;
     this.begin();
     await this.perform({ document, options, at: "end" });
   }
@@ -194,7 +231,7 @@ export class Playground {
     });
   }
 
-  /** Shows the result's plan again. */
+  /** Shows what was solved again. */
   showResult(): void {
     const trace = this.resultTrace;
     batch(() => {
@@ -221,8 +258,21 @@ export class Playground {
   async replay(plan: string[]): Promise<Trace | null> {
     const document = this.document.value;
     if (document === null) return null;
-    const ending = await this.client.run({ kind: "trace", document: document.text, plan });
+    // A solve under way goes on.
+    const client = this.status.value === "solving" ? this.aside : this.client;
+    const ending = await client.run({ kind: "trace", document: document.text, plan });
     if (ending.kind === "traced") return ending.trace;
+    this.failed(ending);
+    return null;
+  }
+
+  /** The steps of a plan and what can be done after it; a sentence where the plan has no such steps. */
+  async walk(plan: string[]): Promise<{ trace: Trace; next: NextAction[] } | string | null> {
+    const document = this.document.value;
+    if (document === null) return null;
+    const ending = await this.client.run({ kind: "walk", document: document.text, plan });
+    if (ending.kind === "walked") return ending;
+    if (ending.kind === "refused") return ending.message;
     this.failed(ending);
     return null;
   }
@@ -235,8 +285,15 @@ export class Playground {
 
   dispose(): void {
     this.timeline.pause();
+    this.stopwatch.stop();
     this.live.clear();
     this.client.dispose();
+    this.walker.dispose();
+    this.guess.dispose();
+    this.aside.dispose();
+    this.adviser.dispose();
+    this.comparison.dispose();
+    this.tradeoff.dispose();
     if (this.status.value === "solving") this.status.value = "idle";
   }
 
@@ -256,12 +313,15 @@ export class Playground {
       this.refuse(options);
       return;
     }
+    this.asked = JSON.stringify(options);
     this.begin();
     this.live.ask({ document, options, at: "same" });
   }
 
   private begin(): void {
     this.timeline.pause();
+    this.guess.end();
+    if (this.status.value !== "solving") this.stopwatch.start();
     batch(() => {
       this.error.value = null;
       this.status.value = "solving";
@@ -273,7 +333,9 @@ export class Playground {
     const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) =>
       this.update(document, update, at),
     );
+    if (ending.kind === "refused" && this.refit(document)) return;
     if (ending.kind !== "solved") return this.failed(ending);
+    this.stopwatch.stop();
     const { scene, outcome, trace } = ending;
     batch(() => {
       this.take(document, scene);
@@ -314,11 +376,24 @@ export class Playground {
     this.document.value = document;
     this.scene.value = scene;
     this.optimum.value = null;
+    this.story.forget();
+  }
+
+  /** Bounds that ask for more goals than an edit has left are brought down, and the edit is solved with those. */
+  private refit(document: OpenDocument): boolean {
+    const scene = this.scene.value;
+    if (this.document.value !== document || scene === null) return false;
+    const change = fitted(this.form.value, scene);
+    if (change === null) return false;
+    this.form.value = { ...this.form.value, ...change };
+    this.solveLive(document);
+    return true;
   }
 
   private failed(ending: Ending): void {
     // What came after a stale task sets the state itself.
     if (ending.kind !== "refused" && ending.kind !== "lost") return;
+    this.stopwatch.stop();
     this.wanted = null;
     const present = this.document.value;
     if (present !== null) this.history.forget(present);

@@ -1,7 +1,7 @@
 // The signs on buttons and in the list of goals. They are drawn, not written: fonts differ.
 import { html, svg, type TemplateResult } from "lit";
 
-const icon = (shape: unknown, kind = ""): TemplateResult =>
+export const icon = (shape: unknown, kind = ""): TemplateResult =>
   html`<svg class="icon ${kind}" viewBox="0 0 16 16" aria-hidden="true">${shape}</svg>`;
 
 export const first = icon(svg`<path d="M3 3h2v10H3zM13 3v10L6 8z"></path>`);
@@ -10,6 +10,18 @@ export const play = icon(svg`<path d="M4 2.5v11L13 8z"></path>`);
 export const pause = icon(svg`<path d="M4 3h3v10H4zM9 3h3v10H9z"></path>`);
 export const forward = icon(svg`<path d="M5 3v10l7-5z"></path>`);
 export const last = icon(svg`<path d="M11 3h2v10h-2zM3 3v10l7-5z"></path>`);
+
+export const down = icon(svg`<path class="stroke" d="M4 6.5l4 4l4-4"></path>`);
+export const left = icon(svg`<path class="stroke" d="M9.5 4l-4 4l4 4"></path>`);
+export const right = icon(svg`<path class="stroke" d="M6.5 4l4 4l-4 4"></path>`);
+export const cross = icon(svg`<path class="cross" d="M4 4l8 8M12 4l-8 8"></path>`);
+export const chain = icon(
+  svg`<path class="stroke" d="M6.8 9.2a2.6 2.6 0 0 0 3.7 0l2.4-2.4a2.6 2.6 0 0 0-3.7-3.7l-1 1M9.2 6.8a2.6 2.6 0 0 0-3.7 0L3.1 9.2a2.6 2.6 0 0 0 3.7 3.7l1-1"></path>`,
+);
+export const tick = icon(svg`<path class="stroke" d="M3 8.5l3.5 3.5L13 4.5"></path>`);
+export const question = icon(
+  svg`<path class="stroke" d="M5.4 6a2.6 2.6 0 1 1 3.9 2.2c-.9.5-1.3 1-1.3 2"></path><circle cx="8" cy="12.8" r="0.9"></circle>`,
+);
 
 /** A five-pointed star around the origin, one unit to each point. */
 export const starPath = `M${Array.from({ length: 10 }, (_, corner) => {

@@ -1,10 +1,14 @@
 // The workbench: everything that can be done with the problem shown, one tab for each kind of work.
 import { html, type TemplateResult } from "lit";
 import { editPanel } from "../edit/edit-panel.js";
+import { playPanel } from "../play/play-panel.js";
 import { documentForm } from "../share/document-form.js";
+import { compare } from "../solve/compare/compare.js";
 import { solverForm } from "../solve/solver-form.js";
+import { tradeoff } from "../solve/tradeoff/tradeoff.js";
 import type { Playground } from "../state/playground.js";
 import type { Workbench } from "../state/workbench.js";
+import { stepsTable } from "../steps/steps-table.js";
 
 export interface Tab {
   name: string;
@@ -16,24 +20,36 @@ export interface Tab {
 export const tabs: readonly Tab[] = [
   { name: "solve", title: "Solve", panel: solverForm },
   { name: "edit", title: "Edit", panel: editPanel },
+  { name: "play", title: "Play", panel: playPanel },
+  { name: "compare", title: "Compare", panel: compare },
+  { name: "trade-off", title: "Trade-off", panel: tradeoff },
+  { name: "steps", title: "Steps", panel: stepsTable },
   { name: "document", title: "Document", panel: documentForm },
 ];
 
 export function workbench(playground: Playground): TemplateResult {
   const bench = playground.workbench;
-  const open = bench.tab.value;
+  // The other tabs would tell the enemy what it must not know.
+  const guessing = playground.mode.value === "guess";
+  const id = (kind: string, name: string) => `${bench.id}-${kind}-${name}`;
+  // A link may name a tab that this page does not have.
+  const open = guessing ? "play" : (tabs.find(({ name }) => name === bench.tab.value) ?? tabs[0])?.name;
   return html`<section class="card workbench" aria-label="Workbench">
     <div class="tabs" role="tablist" aria-label="Workbench" @keydown=${keys(bench)}>
       ${tabs.map(
         ({
           name,
           title,
-        }) => html`<button type="button" role="tab" id="tab-${name}" aria-selected=${String(name === open)}
-          aria-controls="panel-${name}" tabindex=${name === open ? 0 : -1} @click=${() => bench.open(name)}>${title}</button>`,
+        }) => html`<button type="button" role="tab" id=${id("tab", name)} data-tab=${name} aria-selected=${String(name === open)}
+          aria-controls=${id("panel", name)} tabindex=${name === open ? 0 : -1} ?disabled=${guessing && name !== open}
+          @click=${() => bench.open(name)}>${title}</button>`,
       )}
     </div>
     ${tabs.map(
-      ({ name, panel }) => html`<div class="tab-panel" role="tabpanel" id="panel-${name}" aria-labelledby="tab-${name}"
+      ({
+        name,
+        panel,
+      }) => html`<div class="tab-panel" role="tabpanel" id=${id("panel", name)} aria-labelledby=${id("tab", name)}
         ?hidden=${name !== open}>${name === open ? panel(playground) : ""}</div>`,
     )}
   </section>`;
@@ -54,6 +70,6 @@ function keys(bench: Workbench) {
     event.preventDefault();
     bench.open(tab.name);
     const list = event.currentTarget as HTMLElement;
-    list.querySelector<HTMLElement>(`#tab-${tab.name}`)?.focus();
+    list.querySelector<HTMLElement>(`[data-tab="${tab.name}"]`)?.focus();
   };
 }

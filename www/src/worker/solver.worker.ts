@@ -46,8 +46,12 @@ function perform(task: Task, id: number): Answer | Promise<Answer> {
   switch (task.kind) {
     case "trace":
       return { kind: "traced", trace: problem.trace(task.plan) };
+    case "walk":
+      return { kind: "walked", trace: problem.trace(task.plan), next: problem.next(task.plan) };
     case "solve":
       return solve(problem, task.options, id);
+    case "advise":
+      return advise(problem, task.options, id);
   }
 }
 
@@ -81,6 +85,18 @@ async function solve(problem: Problem, options: SolveOptions, id: number): Promi
   // A newer task may have opened another problem meanwhile; then nobody waits for this answer.
   if (newest !== id) return { kind: "refused", message: "" };
   return { kind: "solved", scene: problem.scene(), outcome, trace: problem.trace(outcome.plan ?? []) };
+}
+
+async function advise(problem: Problem, options: SolveOptions, id: number): Promise<Answer> {
+  const run = problem.remedy(options);
+  await inSlices(
+    run,
+    () => cancelled === id || newest !== id,
+    () => undefined,
+  );
+  const advice = run.outcome();
+  run.free();
+  return { kind: "advised", advice };
 }
 
 /** Options that do not fit are no reason not to show the document. */

@@ -5,6 +5,7 @@ import { nothing, svg } from "lit";
 import { starPath } from "../../view/icons.js";
 import type { BoardName } from "../board-input.js";
 import type { GoalView } from "../goal-attributes.js";
+import { goalInWords, marks } from "../goal-marks.js";
 import type { Cell } from "./cells.js";
 
 const LONGEST_LABEL = 3;
@@ -14,26 +15,13 @@ export function goalMark(board: BoardName, goal: GoalView, [column, row]: Cell, 
   return svg`<g class="goal ${look}" transform=${`translate(${column + 0.5} ${row + 0.5})${scale === 1 ? "" : ` scale(${scale})`}`}
       data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
       data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
-    <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${inWords(goal)}</title>
+    <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
     <rect class="badge" x="-0.35" y="-0.27" width="0.7" height="0.54" rx="0.16"></rect>
     ${look === "dead" ? svg`<line class="strike" x1="-0.33" y1="0.27" x2="0.33" y2="-0.27"></line>` : nothing}
     <text class="label" y="0.115">${shortened(goal.name)}</text>
-    ${board === "actor" ? svg`${enemyMark(goal.alive.adversarial)} ${friendMark(goal.alive.cooperative)}` : nothing}
+    ${board === "actor" ? marks(goal, 0.3) : nothing}
     ${goal.isTrue ? svg`<path class="star" transform="translate(0.31 -0.29) scale(0.2)" d=${starPath}></path>` : nothing}
   </g>`;
-}
-
-const enemyMark = (alive: boolean) =>
-  svg`<path class="mark enemy ${alive ? "on" : "off"}" d="M-0.3 0.15l0.14 0.14l-0.14 0.14l-0.14-0.14z"></path>`;
-
-const friendMark = (alive: boolean) =>
-  svg`<circle class="mark friend ${alive ? "on" : "off"}" cx="0.3" cy="0.29" r="0.115"></circle>`;
-
-function inWords({ alive }: GoalView): string {
-  if (alive.adversarial && alive.cooperative) return "possible for both";
-  if (alive.adversarial) return "possible for the enemy only";
-  if (alive.cooperative) return "possible for the friend only";
-  return "ruled out by both";
 }
 
 /** Names are the document's and may be long; the list of goals has them in full. */
