@@ -4,7 +4,7 @@ import { test } from "node:test";
 import type { Page } from "playwright-core";
 import type { DeliveryDocument } from "../../www/src/problem/types.js";
 import { solve } from "./support/core.js";
-import { figure1, explicit } from "./support/documents.js";
+import { explicit, figure1 } from "./support/documents.js";
 import { assertLive, documentOf, dragMouse, edit } from "./support/hands.js";
 import { attribute, openTab, press, stepIs, useDocument } from "./support/playground.js";
 
