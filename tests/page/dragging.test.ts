@@ -257,6 +257,32 @@ test("a finger drags goals and walls, and scrolls the page elsewhere", () =>
     assert.deepEqual((await documentOf(page)).walls, walls);
   }, phone));
 
+for (const [device, options] of [
+  ["desktop", {}],
+  ["phone", phone],
+] as const) {
+  test(`the boards stay where they are under the hand, ${device}`, () =>
+    edit(async (page) => {
+      const top = () => board(page, "actor").evaluate((svg) => svg.getBoundingClientRect().top + scrollY);
+      const before = await top();
+      await dragMouse(
+        page,
+        "actor",
+        [
+          [7, 0],
+          [4, 0],
+        ],
+        async () => {
+          await page.waitForSelector('[data-board="actor"] [data-goal=G1][transform="translate(4.5 0.5)"]');
+          await documentOf(page);
+          assert.equal(await top(), before);
+        },
+      );
+      // Then the page says that the problem is edited.
+      await page.getByText("An edited problem").waitFor();
+    }, options));
+}
+
 test("small cells are taken hold of from nearby", () =>
   edit(async (page) => {
     await useDocument(

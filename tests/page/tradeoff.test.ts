@@ -111,6 +111,7 @@ test("the charts are used by keyboard alone", () =>
     await statusIs(page, "optimal");
     await openTab(page, "Trade-off");
     await pairs(page).waitFor();
+    await page.locator('.charts[aria-busy="false"]').waitFor();
     const step = await attribute(page, "data-step");
     await page.getByRole("tab", { name: "Trade-off" }).focus();
     const focused = () => page.evaluate(() => document.activeElement?.getAttribute("aria-label") ?? "");

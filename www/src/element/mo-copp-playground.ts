@@ -1,6 +1,7 @@
 // <mo-copp-playground>: the whole playground as one element. It renders into the document itself, so that a course
 // page's styles and checks reach its parts by the stable attributes. docs/embedding.md lists attributes and events.
 import { html, nothing, type TemplateResult } from "lit";
+import { held } from "../edit/held.js";
 import { shortcut } from "../edit/shortcuts.js";
 import { toolbar } from "../edit/toolbar.js";
 import { galleryMenu } from "../gallery/menu.js";
@@ -97,7 +98,7 @@ export class MoCoppPlayground extends SignalElement {
     const copier = this.sharing && !hidden.has("share") ? this.copier : null;
     return html`
       <div class="error" role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
-      ${show("gallery", () => problemBar(playground, copier))} ${show("tools", () => toolbar(playground))}
+      ${show("gallery", () => held(playground, () => problemBar(playground, copier)))} ${show("tools", () => toolbar(playground))}
       ${stage(playground)}
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
       ${

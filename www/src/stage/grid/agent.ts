@@ -5,8 +5,8 @@ import type { State, Trace } from "../../core.js";
 import type { BoardName } from "../board-input.js";
 import { type Cell, cellOf, type GridScene, keyOf } from "./cells.js";
 
-export function start([column, row]: Cell) {
-  return svg`<circle class="start" cx=${column + 0.5} cy=${row + 0.5} r="0.2"></circle>`;
+export function start([column, row]: Cell, scale: number) {
+  return svg`<circle class="start" cx=${column + 0.5} cy=${row + 0.5} r=${0.2 * scale}></circle>`;
 }
 
 /** The steps walked as a line, the ones to come as dots. */
@@ -20,12 +20,12 @@ export function path(trace: Trace, step: number) {
 }
 
 /** `secret`: the reader is the enemy, and does not see it either. */
-export function agent(board: BoardName, scene: GridScene, state: State, secret: boolean) {
+export function agent(board: BoardName, scene: GridScene, state: State, secret: boolean, scale: number) {
   if (secret) return nothing;
   const [column, row] = cellOf(state);
   const onGoal = scene.goals.some(({ cell }) => keyOf(cell) === keyOf([column, row]));
   // On a goal's cell it becomes a ring, so that the goal stays readable.
   const look = board === "actor" ? (onGoal ? "here ring" : "here") : "hidden-here ring";
   const radius = onGoal ? 0.44 : board === "actor" ? 0.26 : 0.34;
-  return svg`<circle class=${look} cx=${column + 0.5} cy=${row + 0.5} r=${radius}></circle>`;
+  return svg`<circle class=${look} cx=${column + 0.5} cy=${row + 0.5} r=${radius * scale}></circle>`;
 }

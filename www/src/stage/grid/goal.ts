@@ -10,9 +10,9 @@ import type { Cell } from "./cells.js";
 
 const LONGEST_LABEL = 3;
 
-export function goalMark(board: BoardName, goal: GoalView, [column, row]: Cell) {
+export function goalMark(board: BoardName, goal: GoalView, [column, row]: Cell, scale: number) {
   const look = board === "actor" ? "plain" : goal.attributes[board];
-  return svg`<g class="goal ${look}" transform="translate(${column + 0.5} ${row + 0.5})"
+  return svg`<g class="goal ${look}" transform=${`translate(${column + 0.5} ${row + 0.5})${scale === 1 ? "" : ` scale(${scale})`}`}
       data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
       data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
     <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
