@@ -54,7 +54,7 @@ test("a file is opened like a text", () =>
     await statusIs(page, "optimal");
     await openTab(page, "Document");
     const file = { name: "small.json", mimeType: "application/json", buffer: Buffer.from(grid()) };
-    await page.getByLabel("or open a file").setInputFiles(file);
+    await page.getByLabel("Open a file").setInputFiles(file);
     await page.waitForFunction(() => document.querySelectorAll('[data-board="actor"] [data-cell]').length === 12);
     await statusIs(page, "optimal");
   }));

@@ -139,7 +139,7 @@ test("names in a document are text, from file and drop alike", () =>
       }
     };
     await openTab(page, "Document");
-    await page.getByLabel("or open a file").setInputFiles(jsonFile(hostile));
+    await page.getByLabel("Open a file").setInputFiles(jsonFile(hostile));
     await shown();
     await press(page, "Next problem");
     await statusIs(page, "optimal");
@@ -175,7 +175,7 @@ test("the saved document is the one that is open, and runs in the core", () =>
     // And it is opened again as it was saved.
     await press(page, "Next problem");
     await page.locator(".title", { hasText: "The paper’s gridworld" }).first().waitFor();
-    await page.getByLabel("or open a file").setInputFiles(jsonFile(edited.text));
+    await page.getByLabel("Open a file").setInputFiles(jsonFile(edited.text));
     await page.waitForFunction((text) => document.querySelector("textarea")?.value === text, edited.text);
   }));
 

@@ -31,7 +31,7 @@ export function documentForm(playground: Playground): TemplateResult {
       <button type="button" ?disabled=${!draft.changed.value} @click=${() => draft.forget()}>Undo typing</button>
       <button type="button" ?disabled=${playground.document.value === null} @click=${() => saveFile(playground)}>Save as a file</button>
       <label class="file">
-        <span>or open a file</span>
+        <span>Open a file</span>
         <input type="file" accept=".json,application/json" @change=${(event: Event) => chosen(playground, event)} />
       </label>
     </div>
