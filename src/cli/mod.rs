@@ -8,6 +8,7 @@ mod error;
 mod generate;
 mod input;
 mod progress;
+mod remedy;
 mod solve;
 mod trace;
 

@@ -28,11 +28,18 @@ enum Message {
     Done(Result<Outcome, mo_copp::solver::SolveError>),
 }
 
-/// Solves a problem; returns the outcome and the seconds it took.
-pub fn solve_watched(
-    problem: &Arc<Problem>,
-    options: &Options,
-) -> Result<(Outcome, f64), CliError> {
+/// What came of it.
+pub struct Solved {
+    /// The outcome.
+    pub outcome: Outcome,
+    /// The seconds it took.
+    pub seconds: f64,
+    /// Set once somebody wants to stop.
+    pub stop: Arc<AtomicBool>,
+}
+
+/// Solves a problem.
+pub fn solve_watched(problem: &Arc<Problem>, options: &Options) -> Result<Solved, CliError> {
     let begin = Instant::now();
     let stop = Arc::new(AtomicBool::new(false));
     let on_signal = Arc::clone(&stop);
@@ -96,7 +103,7 @@ pub fn solve_watched(
         }
     };
     bar.finish_and_clear();
-    Ok((outcome, begin.elapsed().as_secs_f64()))
+    Ok(Solved { outcome, seconds: begin.elapsed().as_secs_f64(), stop })
 }
 
 fn line(progress: &Progress) -> String {

@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use mo_copp::limits::Limits;
 use mo_copp::problem::{Problem, Role};
-use mo_copp::report::SolveReport;
+use mo_copp::report::{AdviceReport, SolveReport};
 use mo_copp::solver::{Horizon, Options, Outcome, Solver, Status};
 
 use super::args::SolveArgs;
 use super::error::CliError;
-use super::{LIMIT, NO_PLAN, input, print, progress, visible};
+use super::{LIMIT, NO_PLAN, input, print, progress, remedy, visible};
 
 /// Solves and prints; the exit code.
 pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
@@ -32,14 +32,19 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
     };
     options.check(&problem)?;
     say_unused(args);
-    let (outcome, seconds) = progress::solve_watched(&problem, &options)?;
+    let progress::Solved { outcome, seconds, stop } = progress::solve_watched(&problem, &options)?;
+    let advice = remedy::advise(&problem, &options, &outcome, &stop)?;
     if args.json {
         let mut report = SolveReport::new(&problem, &outcome);
         report.stats.seconds = Some(seconds);
+        report.remedy = advice.map(|advice| AdviceReport::new(&problem, &advice));
         // Only texts, numbers and lists: writing them cannot fail.
         print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
     } else {
         print(&visible(&text(&problem, &options, &outcome, seconds)))?;
+        if let Some(advice) = advice {
+            eprint!("mo-copp: {}", visible(&remedy::text(&problem, &options, &advice)));
+        }
     }
     Ok(match outcome.status {
         Status::Optimal | Status::Solved | Status::Feasible => 0,

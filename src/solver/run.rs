@@ -11,7 +11,7 @@ use crate::trace::{Achievement, validate};
 
 use super::best_first::{baseline, search};
 use super::engine::{Advance, Engine, Finding};
-use super::exact::{closure, layers, lengths};
+use super::exact::{self, lengths};
 use super::outcome::{LengthPoint, Outcome, Progress, Stats, Status};
 use super::shortest::{Reached, Shortest};
 use super::{Horizon, Options, OptionsError, Solver, ip};
@@ -111,8 +111,7 @@ impl Run {
             return Ok(Box::new(lengths::Lengths::new(problem, options, longest)));
         }
         Ok(match (options.solver, self.horizon) {
-            (Solver::Exact, Some(steps)) => Box::new(layers::Layers::new(problem, options, steps)),
-            (Solver::Exact, None) => Box::new(closure::Closure::new(problem, options)),
+            (Solver::Exact, horizon) => exact::engine(problem, options, horizon),
             (Solver::Ip, horizon) => {
                 Box::new(ip::IntegerProgram::new(problem, options, horizon.unwrap_or(0))?)
             }

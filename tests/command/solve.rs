@@ -214,3 +214,40 @@ fn the_best_of_each_length_is_shown() {
     let ran = mo_copp(GRID, &["solve", "-", "--lengths", "13", "--horizon", "13"]);
     assert_eq!(ran.code, 2);
 }
+
+#[test]
+fn why_there_is_no_plan_and_what_would_do() {
+    let ran = mo_copp(GRID, &["solve", "-", "--horizon", "15"]);
+    assert_eq!(ran.code, 1);
+    let first = "mo-copp: G1 can be reached in 14 actions, but not in exactly 15\n  with --horizon 16 there is";
+    assert!(ran.err.starts_with(first), "{}", ran.err);
+    assert!(ran.err.contains("\n  with --horizon 14 there is a plan (goal difference "));
+    assert_eq!(ran.err.lines().count(), 3, "{}", ran.err);
+    for solver in ["exact", "ip", "search", "baseline"] {
+        let ran = mo_copp(GRID, &["solve", "-", "--horizon", "9", "--solver", solver, "--json"]);
+        assert_eq!((ran.code, ran.err.as_str()), (1, ""));
+        let remedy = &ran.json()["remedy"];
+        assert_eq!(remedy["reason"], "length");
+        assert_eq!(remedy["shortest"], 14);
+        assert_eq!(remedy["complete"], true);
+        let remedies = remedy["remedies"].as_array().unwrap();
+        assert_eq!(remedies.len(), 1);
+        assert_eq!(
+            (&remedies[0]["change"], &remedies[0]["value"]),
+            (&"horizon".into(), &14.into())
+        );
+        let alone = mo_copp(GRID, &["solve", "-", "--horizon", "14", "--json"]).json();
+        assert_eq!(remedies[0]["goal_difference"], alone["goal_difference"]);
+    }
+    // All the enemy has to go by is how long it took, and the friend sees the loading.
+    let ran =
+        mo_copp(DELIVERY, &["solve", "-", "--k", "6", "--j", "1", "--forbid", "adversarial:b1+b2"]);
+    assert_eq!(
+        ran.err,
+        "mo-copp: plans reach a1+a2, but none keeps the bounds\n  no change of a single number would help\n"
+    );
+    let island = GRID.replace("\"walls\": [[3, 3]]", "\"walls\": [[6, 0], [7, 1]]");
+    let ran = mo_copp(&island, &["solve", "-"]);
+    assert_eq!((ran.code, ran.err.as_str()), (1, "mo-copp: the true goal G1 cannot be reached\n"));
+    assert!(mo_copp(GRID, &["solve", "-", "--json"]).json().get("remedy").is_none());
+}

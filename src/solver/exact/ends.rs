@@ -1,6 +1,6 @@
 //! Which nodes of a graph may end a plan.
 
-use super::graph::LayeredGraph;
+use super::layered::LayeredGraph;
 use super::pairs::allowed;
 use crate::problem::{JointSpace, SurvivorCounts};
 use crate::solver::Bounds;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::ends::Ends;
-use super::graph::LayeredGraph;
+use super::layered::LayeredGraph;
 use super::pairs::Pairs;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Problem};

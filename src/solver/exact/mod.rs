@@ -4,20 +4,51 @@
 //! plans that meet in a node need not be told apart: going through all nodes is going through all
 //! plans.
 //!
+//! - [`guided`] looks for the best plan alone, led by bounds on what each observer can still believe,
+//!   in state spaces that are small enough for tables over pairs of states,
 //! - [`layers`] goes through them step by step, for plans of exactly T actions,
 //! - [`closure`] goes through them breadth first until there are no new ones, for plans of all
 //!   lengths,
 //! - [`lengths`] goes through them step by step up to a longest plan, for the best of each length,
-//!   on a [`graph`] of nodes that are met once.
+//!   on a [`layered`] graph of nodes that are met once.
 //!
 //! Nothing is looked at that cannot reach the true goal any more.
 //!
-//! All find every reachable pair of survivor counts, which is more than the Pareto set the paper
-//! names and leaves out.
+//! All but the first find every reachable pair of survivor counts, which is more than the Pareto set
+//! the paper names and leaves out.
 
 pub mod closure;
 pub mod ends;
 pub mod graph;
+pub mod guided;
+pub mod layered;
 pub mod layers;
 pub mod lengths;
 mod pairs;
+
+use std::sync::Arc;
+
+use super::Options;
+use super::engine::Engine;
+use crate::problem::Problem;
+
+/// The engine for the best plan at a horizon or of all lengths.
+pub(in crate::solver) fn engine(
+    problem: Arc<Problem>,
+    options: &Options,
+    horizon: Option<usize>,
+) -> Box<dyn Engine> {
+    if options.pareto {
+        plain(problem, options, horizon)
+    } else {
+        Box::new(guided::Guided::new(problem, options, horizon))
+    }
+}
+
+/// The engine that goes through all nodes.
+fn plain(problem: Arc<Problem>, options: &Options, horizon: Option<usize>) -> Box<dyn Engine> {
+    match horizon {
+        Some(steps) => Box::new(layers::Layers::new(problem, options, steps)),
+        None => Box::new(closure::Closure::new(problem, options)),
+    }
+}

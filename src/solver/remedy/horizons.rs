@@ -7,7 +7,7 @@ use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem};
 use crate::solver::engine::{Advance, Engine};
 use crate::solver::exact::ends::Ends;
-use crate::solver::exact::graph::LayeredGraph;
+use crate::solver::exact::layered::LayeredGraph;
 use crate::solver::exact::layers::Layers;
 use crate::solver::live::Live;
 use crate::solver::{MAX_HORIZON, Options};

@@ -1,0 +1,107 @@
+//! How soon a goal can survive for an observer who takes one state for another.
+//!
+//! Walk two states at once, the actor's s and another one s̄, by transitions that look the same to
+//! the observer: the twin plant of Jiang, Huang, Chandra and Kumar (2001, "A polynomial algorithm
+//! for testing diagnosability of discrete-event systems", doi:10.1109/9.940942). A goal survives a
+//! plan exactly when some believed s̄ can be led along it to a state that satisfies the goal. So the
+//! least number of steps from (s, s̄) to (true goal, goal), and of these the least over a belief,
+//! bounds from below how long a plan must still be for the goal to survive; where there are none,
+//! it is lost.
+
+use super::steps::{Steps, with_symbol};
+use crate::task::StateId;
+
+/// There is no such plan.
+pub(super) const NEVER: u32 = u32::MAX;
+/// A pair that has not been reached.
+const UNKNOWN: u16 = u16::MAX;
+/// Beyond so many steps nothing is told apart.
+const MOST_STEPS: u32 = UNKNOWN as u32 - 2;
+
+/// The least steps of all pairs, found backwards from the goals as far as is asked for.
+#[derive(Debug)]
+pub(super) struct Twins {
+    states: usize,
+    /// By pair: the actor's state times the number of states, plus the other state.
+    least: Vec<u16>,
+    /// The pairs reached, by steps, and the next one to go on from.
+    reached: Vec<u32>,
+    next: usize,
+    /// All pairs with so few steps are known.
+    depth: u32,
+}
+
+impl Twins {
+    /// Knows the pairs of a state that satisfies the true goal and one that satisfies the other.
+    pub(super) fn new(states: usize, true_goal: &[u32], goal: &[u32]) -> Self {
+        let mut twins = Self {
+            states,
+            least: vec![UNKNOWN; states * states],
+            reached: Vec::new(),
+            next: 0,
+            depth: 0,
+        };
+        for &state in true_goal {
+            for &other in goal {
+                let pair = state as usize * states + other as usize;
+                twins.least[pair] = 0;
+                twins.reached.push(pair as u32);
+            }
+        }
+        twins
+    }
+
+    /// Whether every pair that can be reached is known.
+    pub(super) fn complete(&self) -> bool {
+        self.next == self.reached.len()
+    }
+
+    /// Makes sure that all pairs with at most so many steps are known.
+    pub(super) fn extend(&mut self, steps: &Steps, until: u32) {
+        let until = until.min(MOST_STEPS);
+        while let Some(&pair) = self.reached.get(self.next) {
+            let least = self.least[pair as usize];
+            if u32::from(least) >= until {
+                break;
+            }
+            self.next += 1;
+            let (state, other) = (pair / self.states as u32, pair % self.states as u32);
+            let others = steps.into(other);
+            for same in steps.into(state).chunk_by(|a, b| a.symbol == b.symbol) {
+                let others = with_symbol(others, same[0].symbol);
+                for before in same {
+                    let row = before.state as usize * self.states;
+                    for other in others {
+                        let pair = row + other.state as usize;
+                        if self.least[pair] == UNKNOWN {
+                            self.least[pair] = least + 1;
+                            self.reached.push(pair as u32);
+                        }
+                    }
+                }
+            }
+        }
+        self.depth = self.depth.max(until);
+    }
+
+    /// The fewest steps of any believed state, or more than are known.
+    pub(super) fn least(&self, state: StateId, believed: &[StateId]) -> u32 {
+        let row = &self.least[state.index() * self.states..][..self.states];
+        let least = believed.iter().map(|other| row[other.index()]).min().unwrap_or(UNKNOWN);
+        match least {
+            UNKNOWN if self.complete() => NEVER,
+            UNKNOWN => self.depth + 1,
+            known => u32::from(known),
+        }
+    }
+
+    /// The pairs reached so far.
+    pub(super) fn reached(&self) -> &[u32] {
+        &self.reached
+    }
+
+    /// Bytes in use, counted by contents.
+    pub(super) fn bytes(&self) -> u64 {
+        2 * self.least.len() as u64 + 4 * self.reached.len() as u64
+    }
+}
