@@ -22,7 +22,7 @@ import { workbench } from "../workbench/workbench.js";
 import { SolverClient } from "../worker/client.js";
 import { Notifier } from "./events.js";
 import { PageKeys } from "./page-keys.js";
-import { hiddenParts, type Part, settingNames, settingsOf, settle } from "./settings.js";
+import { goToStep, hiddenParts, type Part, settingNames, settingsOf, settle } from "./settings.js";
 import { SignalElement } from "./signal-element.js";
 
 export class MoCoppPlayground extends SignalElement {
@@ -72,7 +72,8 @@ export class MoCoppPlayground extends SignalElement {
     super.attributeChangedCallback(name, before, after);
     if (!this.begun || before === after) return;
     this.requestUpdate();
-    if (name !== "hide" && name !== "link") void settle(this.playground, settingsOf(this), exampleDocument);
+    if (name === "step") goToStep(this.playground, settingsOf(this));
+    else if (name !== "hide" && name !== "link") void settle(this.playground, settingsOf(this), exampleDocument);
   }
 
   protected override firstUpdated(): void {

@@ -40,8 +40,12 @@ export async function settle(playground: Playground, settings: Settings, fallbac
     await playground.solve();
   }
   if (settings.plan !== null) await showPlan(playground, settings.plan);
+  goToStep(playground, settings);
+}
+
+export function goToStep({ timeline }: Playground, settings: Settings): void {
   const step = settings.step === null ? Number.NaN : Number(settings.step);
-  if (Number.isInteger(step)) playground.timeline.goTo(step);
+  if (Number.isInteger(step)) timeline.goTo(step);
 }
 
 async function openProblem(playground: Playground, { src, problem }: Settings, fallback: string): Promise<boolean> {
