@@ -17,8 +17,12 @@ fn every_problem_of_the_gallery_is_solved_by_the_command() {
         assert_eq!(ran.code, 0, "{name}: {}", ran.err);
         let outcome = ran.json();
         assert_eq!(outcome["status"], "optimal", "{name}");
-        let plan: Vec<&str> =
-            outcome["plan"].as_array().unwrap().iter().map(|action| action.as_str().unwrap()).collect();
+        let plan: Vec<&str> = outcome["plan"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|action| action.as_str().unwrap())
+            .collect();
         let traced = mo_copp("", &["trace", &name, "--plan", &plan.join(","), "--json"]).json();
         assert_eq!(traced["valid"], true, "{name}");
         assert_eq!(traced["goal_difference"], outcome["goal_difference"], "{name}");
