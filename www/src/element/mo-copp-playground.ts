@@ -17,7 +17,7 @@ import { stage } from "../stage/stage.js";
 import { stepper } from "../stage/stepper.js";
 import { followSymbols } from "../stage/symbols.js";
 import { Playground } from "../state/playground.js";
-import { followRow } from "../steps/steps-table.js";
+import { followRow } from "../steps/follow-row.js";
 import { workbench } from "../workbench/workbench.js";
 import { SolverClient } from "../worker/client.js";
 import { Notifier } from "./events.js";

@@ -1,30 +1,35 @@
 // The workbench: everything that can be done with the problem shown, one tab for each kind of work.
 import { html, type TemplateResult } from "lit";
-import { editPanel } from "../edit/edit-panel.js";
-import { playPanel } from "../play/play-panel.js";
-import { documentForm } from "../share/document-form.js";
-import { compare } from "../solve/compare/compare.js";
 import { solverForm } from "../solve/solver-form.js";
-import { tradeoff } from "../solve/tradeoff/tradeoff.js";
 import type { Playground } from "../state/playground.js";
 import type { Workbench } from "../state/workbench.js";
-import { stepsTable } from "../steps/steps-table.js";
+import { LazyPanel, type Panel } from "./lazy-panel.js";
 
 export interface Tab {
   name: string;
   title: string;
-  panel: (playground: Playground) => TemplateResult | "";
+  panel: Panel;
 }
 
-/** The tabs, in the order shown. */
+const lazy = (load: () => Promise<Panel>): Panel => new LazyPanel(load).panel;
+
+/** The tabs, in the order shown. Only the first is there from the beginning; the page is shown sooner without the others. */
 export const tabs: readonly Tab[] = [
   { name: "solve", title: "Solve", panel: solverForm },
-  { name: "edit", title: "Edit", panel: editPanel },
-  { name: "play", title: "Play", panel: playPanel },
-  { name: "compare", title: "Compare", panel: compare },
-  { name: "trade-off", title: "Trade-off", panel: tradeoff },
-  { name: "steps", title: "Steps", panel: stepsTable },
-  { name: "document", title: "Document", panel: documentForm },
+  { name: "edit", title: "Edit", panel: lazy(async () => (await import("../edit/edit-panel.js")).editPanel) },
+  { name: "play", title: "Play", panel: lazy(async () => (await import("../play/play-panel.js")).playPanel) },
+  { name: "compare", title: "Compare", panel: lazy(async () => (await import("../solve/compare/compare.js")).compare) },
+  {
+    name: "trade-off",
+    title: "Trade-off",
+    panel: lazy(async () => (await import("../solve/tradeoff/tradeoff.js")).tradeoff),
+  },
+  { name: "steps", title: "Steps", panel: lazy(async () => (await import("../steps/steps-table.js")).stepsTable) },
+  {
+    name: "document",
+    title: "Document",
+    panel: lazy(async () => (await import("../share/document-form.js")).documentForm),
+  },
 ];
 
 export function workbench(playground: Playground): TemplateResult {
