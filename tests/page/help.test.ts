@@ -75,6 +75,7 @@ test("the glossary has the words of the paper, with its formula", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await press(page, "Help");
+    await help(page).waitFor();
     const names = await help(page).locator("dt").allTextContents();
     const words = ["Enemy", "Friend", "Sensor", "Symbol", "Belief", "Candidate goal", "True goal", "Possible", "Plan"];
     for (const word of [

@@ -113,7 +113,7 @@ test("a problem of 32 by 32 cells has a link that works", () =>
     await page.getByTitle("All problems").click();
     await page.getByRole("button", { name: "A city at night" }).click();
     await page.waitForSelector('mo-copp-playground[data-step="44"]');
-    const hash = await addressHolds(page, ({ document }) => document === documentOf("city"));
+    const hash = await addressHolds(page, ({ document, step }) => document === documentOf("city") && step === 44);
     assert(hash.length < 4000, `${hash.length} characters`);
     await follow(page, hash);
     await page.waitForSelector('mo-copp-playground[data-step="44"][data-gd="1"]');

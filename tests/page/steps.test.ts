@@ -18,6 +18,7 @@ test("the table says of each step what the core says", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await openTab(page, "Steps");
+    await rows(page).first().waitFor();
     const shown = await rows(page).evaluateAll((all) =>
       all.map((row) => [...row.children].map((cell) => cell.textContent?.trim())),
     );

@@ -4,19 +4,17 @@ import { type ReadonlySignal, signal } from "@preact/signals-core";
 const down = signal(false);
 export const pressed: ReadonlySignal<boolean> = down;
 
-for (const [type, value] of [
-  ["pointerdown", true],
-  ["pointerup", false],
-  ["pointercancel", false],
-  // A file dragged into the page ends no press.
-  ["dragend", false],
-  ["blur", false],
-] as const) {
-  window.addEventListener(
-    type,
-    () => {
-      down.value = value;
-    },
-    { capture: true, passive: true },
-  );
+function listen(type: string, value: boolean, from?: EventTarget): void {
+  const take = ({ target }: Event) => {
+    if (from === undefined || target === from) down.value = value;
+  };
+  window.addEventListener(type, take, { capture: true, passive: true });
 }
+
+listen("pointerdown", true);
+listen("pointerup", false);
+listen("pointercancel", false);
+// What is dragged out of the page or dropped ends with no other event.
+listen("dragend", false);
+// The window itself, when it is left: fields lose the focus in the middle of a press as well.
+listen("blur", false, window);
