@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
+use mo_copp::domain::generate::Domain;
 use mo_copp::solver::{Encoding, Horizon, MAX_HORIZON, Solver};
 
 /// Plans that a friend understands and an enemy does not.
@@ -172,8 +173,9 @@ Examples:
   mo-copp generate gridworld --seed 7 --width 6 --height 6 --walls 5
   mo-copp generate delivery --seed 7 --packages 5")]
 pub struct GenerateArgs {
-    /// What kind of problem.
-    pub domain: DomainName,
+    /// What kind of problem: gridworld or delivery.
+    #[arg(value_parser = domain, value_name = "DOMAIN")]
+    pub domain: Domain,
     /// The seed of the random numbers.
     #[arg(long, value_name = "N")]
     pub seed: u64,
@@ -203,15 +205,6 @@ pub struct GenerateArgs {
     pub deliver: Option<u32>,
 }
 
-/// Kinds of problems that can be generated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum DomainName {
-    /// Cells, walls and moves.
-    Gridworld,
-    /// Factories, packages and a truck.
-    Delivery,
-}
-
 fn named<T: Copy>(
     text: &str,
     all: &[T],
@@ -224,6 +217,10 @@ fn named<T: Copy>(
 
 fn solver(text: &str) -> Result<Solver, String> {
     named(text, &Solver::ALL, Solver::name, Solver::named(text))
+}
+
+fn domain(text: &str) -> Result<Domain, String> {
+    named(text, &Domain::ALL, Domain::name, Domain::named(text))
 }
 
 fn encoding(text: &str) -> Result<Encoding, String> {

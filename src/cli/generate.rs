@@ -1,26 +1,25 @@
 //! `mo-copp generate`: prints a random document.
 
-use mo_copp::domain::Document;
 use mo_copp::domain::delivery::DeliveryShape;
-use mo_copp::domain::generate::Generated;
+use mo_copp::domain::generate::{Domain, Drawn};
 use mo_copp::domain::gridworld::GridworldShape;
 use mo_copp::solver::OptionsError;
 
-use super::args::{DomainName, GenerateArgs};
+use super::args::GenerateArgs;
 use super::error::CliError;
 use super::print;
 
 /// Prints a document; the exit code.
 pub fn run(args: &GenerateArgs) -> Result<u8, CliError> {
-    let generated = match args.domain {
-        DomainName::Gridworld => gridworld(args)?,
-        DomainName::Delivery => delivery(args)?,
+    let drawn = match args.domain {
+        Domain::Gridworld => gridworld(args)?,
+        Domain::Delivery => delivery(args)?,
     };
-    print(&(generated.document.to_json() + "\n"))?;
-    if generated.redrawn > 0 {
+    print(&(drawn.document.to_json() + "\n"))?;
+    if drawn.redraws > 0 {
         eprintln!(
             "mo-copp: note: {} problems without a way to the goal were drawn before this one",
-            generated.redrawn
+            drawn.redraws
         );
     }
     Ok(0)
@@ -39,7 +38,7 @@ fn refuse(domain: &str, given: &[(&'static str, Option<u32>)]) -> Result<(), Cli
     }
 }
 
-fn gridworld(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
+fn gridworld(args: &GenerateArgs) -> Result<Drawn, CliError> {
     refuse(
         "gridworld",
         &[("factories", args.factories), ("packages", args.packages), ("deliver", args.deliver)],
@@ -57,11 +56,10 @@ fn gridworld(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
         goals: args.goals.unwrap_or(default.goals),
         belief: args.belief.unwrap_or(default.belief.min(room)),
     };
-    let Generated { document, redrawn } = shape.generate(args.seed)?;
-    Ok(Generated { document: Document::Gridworld(document), redrawn })
+    Ok(shape.generate(args.seed)?.any())
 }
 
-fn delivery(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
+fn delivery(args: &GenerateArgs) -> Result<Drawn, CliError> {
     refuse(
         "delivery",
         &[
@@ -79,6 +77,5 @@ fn delivery(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
         packages,
         deliver: args.deliver.unwrap_or(default.deliver),
     };
-    let Generated { document, redrawn } = shape.generate(args.seed)?;
-    Ok(Generated { document: Document::Delivery(document), redrawn })
+    Ok(shape.generate(args.seed)?.any())
 }

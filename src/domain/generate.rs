@@ -4,6 +4,10 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use thiserror::Error;
 
+use super::Document;
+use super::delivery::DeliveryShape;
+use super::gridworld::GridworldShape;
+
 /// Why no document can be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum GenerateError {
@@ -25,14 +29,70 @@ pub enum GenerateError {
     },
 }
 
-/// A document and how many were drawn and thrown away before it because their true goal could not
-/// be reached.
+/// A random document, and how many were drawn and thrown away before it because their true goal
+/// could not be reached. Every generator returns this.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Generated<T> {
+pub struct Drawn<T = Document> {
     /// The document.
     pub document: T,
     /// How many were thrown away.
-    pub redrawn: u32,
+    pub redraws: u32,
+}
+
+impl<T: Into<Document>> Drawn<T> {
+    /// The same as a document of any format.
+    pub fn any(self) -> Drawn {
+        Drawn { document: self.document.into(), redraws: self.redraws }
+    }
+}
+
+/// The domains of which problems can be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Domain {
+    /// Cells, walls and moves.
+    Gridworld,
+    /// Factories, packages and a truck.
+    Delivery,
+}
+
+impl Domain {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Gridworld, Self::Delivery];
+
+    /// The name: the format of its documents.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gridworld => "gridworld",
+            Self::Delivery => "delivery",
+        }
+    }
+
+    /// The domain of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|domain| domain.name() == name)
+    }
+
+    /// Draws a problem of the default size: the paper's, where the paper gives one.
+    ///
+    /// # Errors
+    ///
+    /// [`GenerateError::Unsolvable`] where no draw has a true goal that can be reached.
+    ///
+    /// ```
+    /// use mo_copp::domain::generate::Domain;
+    /// for domain in Domain::ALL {
+    ///     let drawn = domain.draw(7)?;
+    ///     assert_eq!(drawn, domain.draw(7)?);
+    ///     assert!(drawn.document.problem().is_ok());
+    /// }
+    /// # Ok::<(), mo_copp::domain::generate::GenerateError>(())
+    /// ```
+    pub fn draw(self, seed: u64) -> Result<Drawn, GenerateError> {
+        match self {
+            Self::Gridworld => GridworldShape::default().generate(seed).map(Drawn::any),
+            Self::Delivery => DeliveryShape::default().generate(seed).map(Drawn::any),
+        }
+    }
 }
 
 /// How often a problem is drawn before giving up.

@@ -34,6 +34,24 @@ pub enum Document {
     Explicit(Explicit),
 }
 
+impl From<Gridworld> for Document {
+    fn from(document: Gridworld) -> Self {
+        Self::Gridworld(document)
+    }
+}
+
+impl From<Delivery> for Document {
+    fn from(document: Delivery) -> Self {
+        Self::Delivery(document)
+    }
+}
+
+impl From<Explicit> for Document {
+    fn from(document: Explicit) -> Self {
+        Self::Explicit(document)
+    }
+}
+
 impl Document {
     /// Reads a document of any format.
     ///

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use super::{Cell, GridGoal, GridObserver, Gridworld, MAX_SIDE, MoveSymbols};
 use crate::domain::Observers;
-use crate::domain::generate::{GenerateError, Generated, MAX_TRIES, draw, in_range, random};
+use crate::domain::generate::{Drawn, GenerateError, MAX_TRIES, draw, in_range, random};
 use crate::problem::MAX_GOALS;
 
 /// The size of a random gridworld. The default is the paper's: 8 × 8 with three goals and its two
@@ -43,10 +43,10 @@ impl GridworldShape {
     /// assert_eq!(shape.generate(1)?, shape.generate(1)?);
     /// # Ok::<(), mo_copp::domain::generate::GenerateError>(())
     /// ```
-    pub fn generate(self, seed: u64) -> Result<Generated<Gridworld>, GenerateError> {
+    pub fn generate(self, seed: u64) -> Result<Drawn<Gridworld>, GenerateError> {
         let area = self.check()?;
         let mut random = random(seed);
-        for redrawn in 0..MAX_TRIES {
+        for redraws in 0..MAX_TRIES {
             let all: Vec<Cell> =
                 (0..area).map(|index| [index % self.width, index / self.width]).collect();
             let mut cells = all.clone();
@@ -86,7 +86,7 @@ impl GridworldShape {
                 observers,
             };
             if document.reaches(goal_cells[0]) {
-                return Ok(Generated { document, redrawn });
+                return Ok(Drawn { document, redraws });
             }
         }
         Err(GenerateError::Unsolvable { tries: MAX_TRIES })
