@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::domain::Document;
 use crate::domain::delivery::Factory;
-use crate::domain::gridworld::Cell;
+use crate::domain::grid::Cell;
 use crate::problem::Problem;
 
 /// A document as something to look at. Names are texts, never markup.

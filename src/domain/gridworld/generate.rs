@@ -1,10 +1,11 @@
 //! Draws random gridworlds.
 
-use std::collections::VecDeque;
-
-use super::{Cell, GridGoal, GridObserver, Gridworld, MAX_SIDE, MoveSymbols};
+use super::{Gridworld, MAX_SIDE};
 use crate::domain::Observers;
-use crate::domain::generate::{Drawn, GenerateError, MAX_TRIES, draw, in_range, random};
+use crate::domain::generate::{
+    Drawn, GenerateError, MAX_TRIES, draw, in_range, random, true_goal_is_reachable,
+};
+use crate::domain::grid::{Cell, GridGoal, GridObserver};
 use crate::problem::MAX_GOALS;
 
 /// The size of a random gridworld. The default is the paper's: 8 × 8 with three goals and its two
@@ -62,14 +63,10 @@ impl GridworldShape {
                 cells.sort_unstable_by_key(|[column, row]| (*row, *column));
                 Some(cells)
             };
-            let observer = |initial_belief, sensor| GridObserver {
-                initial_belief,
-                cameras: Vec::new(),
-                sensor,
-            };
+            let sensors = Gridworld::paper_sensors();
             let observers = Observers {
-                adversarial: observer(belief(), MoveSymbols::axis()),
-                cooperative: observer(belief(), MoveSymbols::diagonal()),
+                adversarial: GridObserver::new(belief(), sensors.adversarial),
+                cooperative: GridObserver::new(belief(), sensors.cooperative),
             };
             let goal = |(index, cell): (usize, &Cell)| GridGoal {
                 name: format!("G{}", index + 1),
@@ -85,7 +82,7 @@ impl GridworldShape {
                 stay: false,
                 observers,
             };
-            if document.reaches(goal_cells[0]) {
+            if document.problem().is_ok_and(|problem| true_goal_is_reachable(&problem)) {
                 return Ok(Drawn { document, redraws });
             }
         }
@@ -103,33 +100,5 @@ impl GridworldShape {
         in_range("walls", self.walls, 0..=area - self.goals - 1)?;
         in_range("belief", self.belief, 1..=area - self.walls)?;
         Ok(area)
-    }
-}
-
-impl Gridworld {
-    /// Whether a cell can be reached from the start.
-    fn reaches(&self, goal: Cell) -> bool {
-        let mut open = self.free_cells();
-        let index = |[column, row]: Cell| (row * self.width + column) as usize;
-        let mut queue = VecDeque::from([self.start]);
-        open[index(self.start)] = false;
-        while let Some([column, row]) = queue.pop_front() {
-            if [column, row] == goal {
-                return true;
-            }
-            let near = [
-                [column.wrapping_sub(1), row],
-                [column + 1, row],
-                [column, row.wrapping_sub(1)],
-                [column, row + 1],
-            ];
-            for cell in near {
-                if cell[0] < self.width && cell[1] < self.height && open[index(cell)] {
-                    open[index(cell)] = false;
-                    queue.push_back(cell);
-                }
-            }
-        }
-        false
     }
 }
