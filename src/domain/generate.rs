@@ -100,7 +100,7 @@ impl Domain {
 }
 
 /// How often a problem is drawn before giving up.
-pub(super) const MAX_TRIES: u32 = 1000;
+const MAX_TRIES: u32 = 1000;
 
 /// The random numbers of a seed.
 pub(super) fn random(seed: u64) -> impl Rng {
@@ -125,6 +125,18 @@ pub(super) fn draw<T>(random: &mut impl Rng, items: &mut Vec<T>, count: usize) -
     (0..count.min(items.len()))
         .map(|_| items.swap_remove(random.random_range(0..items.len() as u32) as usize))
         .collect()
+}
+
+/// Draws until something comes that is solvable.
+pub(super) fn until_solvable<T>(
+    mut attempt: impl FnMut() -> Option<T>,
+) -> Result<Drawn<T>, GenerateError> {
+    for redraws in 0..MAX_TRIES {
+        if let Some(document) = attempt() {
+            return Ok(Drawn { document, redraws });
+        }
+    }
+    Err(GenerateError::Unsolvable { tries: MAX_TRIES })
 }
 
 /// How many states are gone through before a goal counts as out of reach.

@@ -7,6 +7,7 @@
 
 mod direction;
 mod floor;
+mod generate;
 mod read;
 mod stage;
 mod symbols;
@@ -15,6 +16,7 @@ use serde::Serialize;
 
 pub use direction::Direction;
 pub(super) use floor::Floor;
+pub(super) use generate::{Size, goals_in};
 pub(super) use read::{Sides, cell, goals, observer, sides};
 pub(super) use stage::Stage;
 pub use symbols::Symbols;
