@@ -7,8 +7,10 @@ use rand_pcg::Pcg32;
 use thiserror::Error;
 
 use super::Document;
+use super::box_pushing::BoxPushingShape;
 use super::delivery::DeliveryShape;
 use super::gridworld::GridworldShape;
+use super::recycling_robot::RecyclingRobotShape;
 use crate::problem::{Goal, Problem};
 use crate::task::StateSpace;
 
@@ -55,18 +57,25 @@ impl<T: Into<Document>> Drawn<T> {
 pub enum Domain {
     /// Cells, walls and moves.
     Gridworld,
+    /// A robot that turns, moves and pushes a box.
+    BoxPushing,
+    /// A robot with a battery, a can and bins.
+    RecyclingRobot,
     /// Factories, packages and a truck.
     Delivery,
 }
 
 impl Domain {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Gridworld, Self::Delivery];
+    pub const ALL: [Self; 4] =
+        [Self::Gridworld, Self::BoxPushing, Self::RecyclingRobot, Self::Delivery];
 
     /// The name: the format of its documents.
     pub fn name(self) -> &'static str {
         match self {
             Self::Gridworld => "gridworld",
+            Self::BoxPushing => "box-pushing",
+            Self::RecyclingRobot => "recycling-robot",
             Self::Delivery => "delivery",
         }
     }
@@ -94,6 +103,8 @@ impl Domain {
     pub fn draw(self, seed: u64) -> Result<Drawn, GenerateError> {
         match self {
             Self::Gridworld => GridworldShape::default().generate(seed).map(Drawn::any),
+            Self::BoxPushing => BoxPushingShape::default().generate(seed).map(Drawn::any),
+            Self::RecyclingRobot => RecyclingRobotShape::default().generate(seed).map(Drawn::any),
             Self::Delivery => DeliveryShape::default().generate(seed).map(Drawn::any),
         }
     }
@@ -125,6 +136,20 @@ pub(super) fn draw<T>(random: &mut impl Rng, items: &mut Vec<T>, count: usize) -
     (0..count.min(items.len()))
         .map(|_| items.swap_remove(random.random_range(0..items.len() as u32) as usize))
         .collect()
+}
+
+/// An initial belief: the start with others of the states at random, `count` in all, in order.
+pub(super) fn draw_belief<S: Copy + Ord>(
+    random: &mut impl Rng,
+    start: S,
+    states: &[S],
+    count: u32,
+) -> Vec<S> {
+    let mut others = states.iter().copied().filter(|state| *state != start).collect();
+    let mut belief = draw(random, &mut others, count as usize - 1);
+    belief.push(start);
+    belief.sort_unstable();
+    belief
 }
 
 /// Draws until something comes that is solvable.

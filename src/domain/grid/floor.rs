@@ -2,6 +2,8 @@
 
 use super::{Cell, Direction};
 use crate::document::DocumentError;
+use crate::problem::Value;
+use crate::task::{Fact, TaskBuilder};
 
 /// Cells by number, row by row, and which of them are no walls.
 #[derive(Debug)]
@@ -64,6 +66,17 @@ impl Floor {
         let (right, down) = direction.offset();
         let cell = [column.checked_add_signed(right)?, row.checked_add_signed(down)?];
         (self.is_inside(cell) && self.free[self.index(cell)]).then_some(cell)
+    }
+
+    /// Adds a fact for each cell, walls included: `what` and the cell.
+    pub(in crate::domain) fn facts(&self, builder: &mut TaskBuilder, what: &str) -> Vec<Fact> {
+        self.all().map(|[column, row]| builder.fact(format!("{what} {column},{row}"))).collect()
+    }
+
+    /// Such facts with the cells they mean.
+    pub(in crate::domain) fn values(&self, facts: &[Fact]) -> Vec<(Fact, Value)> {
+        let cells = self.all().map(|[column, row]| Value::Cell(column, row));
+        facts.iter().copied().zip(cells).collect()
     }
 
     fn is_inside(&self, [column, row]: Cell) -> bool {

@@ -18,7 +18,7 @@ pub use direction::Direction;
 pub(super) use floor::Floor;
 pub(super) use generate::{Size, goals_in};
 pub(super) use read::{Sides, cell, goals, observer, sides};
-pub(super) use stage::Stage;
+pub(super) use stage::{Pose, Stage};
 pub use symbols::Symbols;
 
 /// Column and row.

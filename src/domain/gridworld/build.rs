@@ -34,8 +34,7 @@ impl Gridworld {
 
     fn task(&self, floor: &Floor, goal: Cell) -> Result<Task, DocumentError> {
         let mut builder = TaskBuilder::default();
-        let facts: Vec<Fact> =
-            floor.all().map(|[column, row]| builder.fact(format!("at {column},{row}"))).collect();
+        let facts = floor.facts(&mut builder, "at");
         let fact = |cell| facts[floor.index(cell)];
         builder.exclusive(facts.clone());
         for direction in Direction::ALL {

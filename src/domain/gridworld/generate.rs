@@ -3,7 +3,8 @@
 use super::{Gridworld, MAX_SIDE};
 use crate::domain::Observers;
 use crate::domain::generate::{
-    Drawn, GenerateError, draw, in_range, random, true_goal_is_reachable, until_solvable,
+    Drawn, GenerateError, draw, draw_belief, in_range, random, true_goal_is_reachable,
+    until_solvable,
 };
 use crate::domain::grid::{Cell, GridObserver, Size, goals_in};
 
@@ -58,13 +59,12 @@ impl GridworldShape {
             let free = cells.clone();
             let taken = draw(&mut random, &mut cells, 1 + self.goals as usize);
             let (start, goal_cells) = (taken[0], &taken[1..]);
+            // By row, then by column.
+            let across = |[column, row]: Cell| [row, column];
+            let rows: Vec<[u32; 2]> = free.iter().copied().map(across).collect();
             let mut belief = || {
-                let mut others: Vec<Cell> =
-                    free.iter().copied().filter(|cell| *cell != start).collect();
-                let mut cells = draw(&mut random, &mut others, self.belief as usize - 1);
-                cells.push(start);
-                cells.sort_unstable_by_key(|[column, row]| (*row, *column));
-                Some(cells)
+                let cells = draw_belief(&mut random, across(start), &rows, self.belief);
+                Some(cells.into_iter().map(across).collect())
             };
             let sensors = Gridworld::paper_sensors();
             let observers = Observers {

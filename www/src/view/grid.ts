@@ -11,7 +11,7 @@ export const keyOf = ([column, row]: Cell): string => `${column},${row}`;
 
 /** A gridworld's state is the agent's cell. */
 export function cellOf(state: State): Cell {
-  const [column, row] = state;
+  const [column, row] = Array.isArray(state) ? state : [];
   return [Number(column), Number(row)];
 }
 
