@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
+use mo_copp::domain::generate::Domain;
 use mo_copp::solver::{Encoding, Horizon, MAX_HORIZON, Solver};
 
 /// Plans that a friend understands and an enemy does not.
@@ -174,28 +175,34 @@ The same seed gives the same document everywhere.
 
 Examples:
   mo-copp generate gridworld --seed 7 --width 6 --height 6 --walls 5
+  mo-copp generate recycling-robot --seed 7 --battery-levels 7
   mo-copp generate delivery --seed 7 --packages 5")]
 pub struct GenerateArgs {
-    /// What kind of problem.
-    pub domain: DomainName,
+    /// What kind of problem: gridworld, box-pushing, recycling-robot or delivery.
+    #[arg(value_parser = domain, value_name = "DOMAIN")]
+    pub domain: Domain,
     /// The seed of the random numbers.
     #[arg(long, value_name = "N")]
     pub seed: u64,
-    /// Columns of a gridworld [default: 8].
+    /// Columns of a grid [default: the paper's].
     #[arg(long, value_name = "N")]
     pub width: Option<u32>,
-    /// Rows of a gridworld [default: 8].
+    /// Rows of a grid [default: the paper's].
     #[arg(long, value_name = "N")]
     pub height: Option<u32>,
-    /// Candidate goals of a gridworld [default: 3].
+    /// Candidate goals in a grid [default: 3].
     #[arg(long, value_name = "N")]
     pub goals: Option<u32>,
-    /// Walls of a gridworld [default: 0].
+    /// Walls in a grid [default: 0].
     #[arg(long, value_name = "N")]
     pub walls: Option<u32>,
-    /// Cells in each initial belief of a gridworld [default: 11].
+    /// States in each initial belief over a grid [default: 11 cells of a gridworld, 4 ways a robot
+    /// with a box could look, 4 cells of a recycling robot].
     #[arg(long, value_name = "N")]
     pub belief: Option<u32>,
+    /// Levels of a recycling robot's battery [default: 5].
+    #[arg(long, value_name = "N")]
+    pub battery_levels: Option<u32>,
     /// Factories of a delivery [default: 3].
     #[arg(long, value_name = "N")]
     pub factories: Option<u32>,
@@ -205,15 +212,6 @@ pub struct GenerateArgs {
     /// How many packages to deliver [default: 2].
     #[arg(long, value_name = "N")]
     pub deliver: Option<u32>,
-}
-
-/// Kinds of problems that can be generated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum DomainName {
-    /// Cells, walls and moves.
-    Gridworld,
-    /// Factories, packages and a truck.
-    Delivery,
 }
 
 fn named<T: Copy>(
@@ -228,6 +226,10 @@ fn named<T: Copy>(
 
 fn solver(text: &str) -> Result<Solver, String> {
     named(text, &Solver::ALL, Solver::name, Solver::named(text))
+}
+
+fn domain(text: &str) -> Result<Domain, String> {
+    named(text, &Domain::ALL, Domain::name, Domain::named(text))
 }
 
 fn encoding(text: &str) -> Result<Encoding, String> {

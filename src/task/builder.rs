@@ -162,38 +162,44 @@ impl TaskBuilder {
         Ok(())
     }
 
-    /// The operators of an action must differ in what they require of the groups that all of them
-    /// ask for.
+    /// No two operators of an action may be applicable in one state.
     fn check_actions(&self, layout: &Layout) -> Result<(), TaskError> {
         let mut by_action: Vec<Vec<&Operator>> = vec![Vec::new(); self.action_names.len()];
         for operator in &self.operators {
             by_action[operator.action.index()].push(operator);
         }
-        for (index, operators) in by_action.iter().enumerate() {
-            let Some((first, rest)) = operators.split_first() else { continue };
-            if rest.is_empty() {
-                continue;
-            }
-            let value = |operator: &Operator, group| {
-                let asked =
-                    operator.preconditions.iter().find(|fact| layout.group(**fact) == group);
-                asked.map(|fact| layout.value(*fact))
-            };
-            let mut groups: Vec<usize> =
-                first.preconditions.iter().map(|fact| layout.group(*fact)).collect();
-            groups.retain(|&group| rest.iter().all(|operator| value(operator, group).is_some()));
-            let requirement = |operator: &&Operator| -> Vec<Option<usize>> {
-                groups.iter().map(|&group| value(operator, group)).collect()
-            };
-            let mut requirements: Vec<_> = operators.iter().map(requirement).collect();
-            requirements.sort_unstable();
-            if requirements.windows(2).any(|pair| pair[0] == pair[1]) {
-                let action = self.action_names[index].clone();
-                return Err(TaskError::AmbiguousAction { action });
+        match by_action.iter_mut().position(|operators| !exclude_each_other(layout, operators)) {
+            None => Ok(()),
+            Some(index) => {
+                Err(TaskError::AmbiguousAction { action: self.action_names[index].clone() })
             }
         }
-        Ok(())
     }
+}
+
+/// Whether at most one of these operators is applicable in any state, as far as the groups tell:
+/// split by the groups that all of them ask for, then each part by the groups that all of the part
+/// ask for, and so on, until operators stand alone.
+fn exclude_each_other(layout: &Layout, operators: &mut [&Operator]) -> bool {
+    let [first, rest @ ..] = &*operators else { return true };
+    if rest.is_empty() {
+        return true;
+    }
+    let value = |operator: &Operator, group| {
+        let asked = operator.preconditions.iter().find(|fact| layout.group(**fact) == group);
+        asked.map(|fact| layout.value(*fact))
+    };
+    let mut groups: Vec<usize> =
+        first.preconditions.iter().map(|fact| layout.group(*fact)).collect();
+    groups.retain(|&group| rest.iter().all(|operator| value(operator, group).is_some()));
+    let asked = |operator: &Operator| -> Vec<Option<usize>> {
+        groups.iter().map(|&group| value(operator, group)).collect()
+    };
+    let count = operators.len();
+    operators.sort_by_cached_key(|operator| asked(operator));
+    operators
+        .chunk_by_mut(|a, b| asked(a) == asked(b))
+        .all(|part| part.len() < count && exclude_each_other(layout, part))
 }
 
 #[cfg(test)]
@@ -214,6 +220,26 @@ mod tests {
         task.operator("go", &[a], &[b], &[a]);
         task.operator("go", &[b], &[a], &[b]);
         assert!(task.build(&[a], &[b]).is_ok());
+    }
+
+    /// Walking and pushing ask for the same cell of the robot, then for different things in front.
+    #[test]
+    fn operators_may_differ_in_what_a_part_of_them_asks_for() {
+        let mut task = TaskBuilder::default();
+        let robot: Vec<Fact> = (0..2).map(|cell| task.fact(format!("robot {cell}"))).collect();
+        let clear: Vec<Fact> = (0..2).map(|cell| task.fact(format!("clear {cell}"))).collect();
+        let boxed: Vec<Fact> = (0..2).map(|cell| task.fact(format!("box {cell}"))).collect();
+        task.exclusive(robot.clone());
+        task.exclusive(vec![clear[0], boxed[0]]);
+        task.exclusive(vec![clear[1], boxed[1]]);
+        for (from, to) in [(0, 1), (1, 0)] {
+            task.operator("go", &[robot[from], clear[to]], &[robot[to]], &[robot[from]]);
+            task.operator("go", &[robot[from], boxed[to]], &[], &[]);
+        }
+        assert!(task.clone().build(&[robot[0], clear[0], clear[1]], &[]).is_ok());
+        task.operator("go", &[robot[0]], &[], &[]);
+        let error = task.build(&[robot[0]], &[]).map(|_| ()).unwrap_err();
+        assert_eq!(error, TaskError::AmbiguousAction { action: "go".into() });
     }
 
     #[test]

@@ -15,4 +15,10 @@ export function beliefText(name: BoardName, shown: TraceStep): TemplateResult {
   </ul>`;
 }
 
-const inWords = (state: State): string => (typeof state === "string" ? state : state.join(", "));
+function inWords(state: State): string {
+  if (typeof state === "string") return state;
+  if (Array.isArray(state)) return state.join(", ");
+  return Object.entries(state)
+    .map(([part, value]) => `${part} ${Array.isArray(value) ? value.join(",") : value}`)
+    .join("; ");
+}

@@ -13,7 +13,7 @@ export const isGrid = (scene: Scene): scene is GridScene => scene.format === "gr
 
 /** A gridworld's state is the agent's cell. */
 export function cellOf(state: State): Cell {
-  const [column, row] = state;
+  const [column, row] = Array.isArray(state) ? state : [];
   return [Number(column), Number(row)];
 }
 
