@@ -12,6 +12,10 @@ use crate::solver::engine::Engine;
 use crate::solver::outcome::Stats;
 use crate::task::{Action, StateId, StateSpace, Task};
 
+/// Expansions without a smaller value after which new nodes take their turns as well. Driverlog
+/// with four drivers and eight packages is not solved in millions of expansions without.
+const PATIENCE: u64 = 1000;
+
 /// States, and how many actions led to them where that matters.
 #[derive(Debug)]
 struct States {
@@ -72,6 +76,10 @@ impl SearchSpace for States {
         found
             .extend(self.space.edges(state).iter().map(|edge| (edge.action, (edge.target, steps))));
         Ok(())
+    }
+
+    fn patience(&self) -> Option<u64> {
+        Some(PATIENCE)
     }
 
     fn limits(&self) -> &Limits {
