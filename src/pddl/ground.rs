@@ -13,6 +13,8 @@ use super::atom_table::AtomTable;
 use super::condition::Condition;
 use super::definition::TaskDefinition;
 use super::domain::Domain;
+use super::exclusive::Exclusive;
+use super::invariant::candidates;
 use super::object::ObjectId;
 use super::operators::{GroundOperator, Possible, keep_possible, operators};
 use super::reach::{object, reach};
@@ -148,12 +150,19 @@ pub fn ground(
             set
         })
         .collect();
-    let possible = keep_possible(&mut operators, atoms.len(), &initial);
+    let mut possible = keep_possible(&mut operators, atoms.len(), &initial);
+    let candidates = candidates(domain, &rules);
+    let exclusive = Exclusive::new(&candidates, &atoms, &operators, &initial);
+    let known = operators.len();
+    operators.retain(|operator| !exclusive.contradict(&operator.positive));
+    if operators.len() < known {
+        possible = keep_possible(&mut operators, atoms.len(), &initial);
+    }
     let key =
         |operator: &GroundOperator| (operator.instance.rule, operator.instance.values.clone());
     operators.sort_by_cached_key(key);
     let conditions: Vec<&Condition> = std::iter::once(&task.goal).chain(&more.conditions).collect();
-    let facts = Facts::new(&atoms, &possible, &operators, &conditions);
+    let facts = Facts::new(&atoms, &possible, &exclusive, &operators, &conditions);
     facts.task(domain, task, &rules, &operators, &initial, &conditions)
 }
 
@@ -161,6 +170,7 @@ pub fn ground(
 struct Facts<'a> {
     atoms: &'a AtomTable,
     possible: &'a Possible,
+    exclusive: &'a Exclusive,
     /// Atom and whether it is negated, in the order of the facts.
     literals: Vec<(u32, bool)>,
     numbers: FxHashMap<(u32, bool), usize>,
@@ -170,6 +180,7 @@ impl<'a> Facts<'a> {
     fn new(
         atoms: &'a AtomTable,
         possible: &'a Possible,
+        exclusive: &'a Exclusive,
         operators: &[GroundOperator],
         conditions: &[&Condition],
     ) -> Self {
@@ -192,7 +203,7 @@ impl<'a> Facts<'a> {
         negated.sort_by_cached_key(order);
         facts.extend(negated.into_iter().map(|atom| (atom, true)));
         let numbers = (0..).zip(&facts).map(|(number, &fact)| (fact, number)).collect();
-        Self { atoms, possible, literals: facts, numbers }
+        Self { atoms, possible, exclusive, literals: facts, numbers }
     }
 
     /// The facts of literals, those left out that always hold; none where one never does.
@@ -226,6 +237,11 @@ impl<'a> Facts<'a> {
         if condition.is_false
             || condition.positive.iter().any(|atom| condition.negative.binary_search(atom).is_ok())
         {
+            return None;
+        }
+        let held: Vec<u32> =
+            condition.positive.iter().filter_map(|atom| self.atoms.find_atom(atom)).collect();
+        if self.exclusive.contradict(&held) {
             return None;
         }
         let positive = condition.positive.iter().map(|atom| (self.atoms.find_atom(atom), false));
@@ -289,6 +305,11 @@ impl<'a> Facts<'a> {
             name.push(')');
             builder.operator(&name, &pre, &add, &delete);
             instances.push((rule.schema as u32, arguments));
+        }
+        for set in self.exclusive.chosen(|atom| self.numbers.contains_key(&(atom, false))) {
+            let mut group = Vec::with_capacity(set.len());
+            numbers(&set, false, &mut group);
+            builder.exclusive(group);
         }
         let mut meanings = conditions
             .iter()
