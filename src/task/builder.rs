@@ -98,7 +98,7 @@ impl TaskBuilder {
     }
 
     /// Declares that at most one of these facts holds in any state; [`build`](Self::build) proves
-    /// it. A fact is in one such group at most.
+    /// it. A fact that is in several such groups is packed with those of the first.
     pub fn exclusive(&mut self, group: Vec<Fact>) {
         self.groups.push(group);
     }
@@ -110,13 +110,25 @@ impl TaskBuilder {
     /// [`TaskError`] where an action could have two successors in a state, or facts that were
     /// declared exclusive are not.
     pub fn build(self, initial: &[Fact], goal: &[Fact]) -> Result<Task, TaskError> {
-        let layout = Layout::new(self.fact_names.len(), &self.groups);
+        let groups_of = self.groups_of();
+        let mut held = vec![None; self.groups.len()];
+        for &fact in initial {
+            for &group in &groups_of[fact.index()] {
+                match held[group as usize].replace(fact) {
+                    Some(other) if other != fact => {
+                        return Err(self.not_exclusive(other, fact, "the initial state"));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        for operator in &self.operators {
+            self.check_groups(&groups_of, operator)?;
+        }
+        let layout = Layout::new(self.fact_names.len(), &self.fields());
         let initial_state = layout
             .pack(initial)
             .map_err(|(first, second)| self.not_exclusive(first, second, "the initial state"))?;
-        for operator in &self.operators {
-            self.check_groups(&layout, operator)?;
-        }
         self.check_actions(&layout)?;
         let successors = SuccessorGenerator::new(&layout, &self.operators);
         Ok(Task {
@@ -138,24 +150,46 @@ impl TaskBuilder {
         }
     }
 
-    /// An operator that adds a fact of a group must take the fact that held before away: it
-    /// requires one of the group, and either adds that same one or deletes it.
-    fn check_groups(&self, layout: &Layout, operator: &Operator) -> Result<(), TaskError> {
-        for (position, &fact) in operator.add.iter().enumerate() {
-            let group = layout.group(fact);
-            let of_group = |other: &&Fact| layout.group(**other) == group;
-            let name = &self.action_names[operator.action.index()];
-            if let Some(&second) = operator.add[position + 1..].iter().find(of_group) {
-                return Err(self.not_exclusive(fact, second, name));
+    /// The groups of each fact.
+    fn groups_of(&self) -> Vec<Vec<u32>> {
+        let mut groups_of = vec![Vec::new(); self.fact_names.len()];
+        for (number, group) in (0..).zip(&self.groups) {
+            for fact in group {
+                groups_of[fact.index()].push(number);
             }
-            let single = self.groups.len() <= group;
-            let held = operator.preconditions.iter().find(of_group);
-            let replaced = held.is_some_and(|held| *held == fact || operator.delete.contains(held));
-            if !single && !replaced {
-                let members = &self.groups[group];
-                let other = members.iter().find(|other| **other != fact).unwrap_or(&fact);
-                if members.len() > 1 {
-                    return Err(self.not_exclusive(fact, *other, name));
+        }
+        groups_of
+    }
+
+    /// The groups without the facts that are in an earlier one.
+    fn fields(&self) -> Vec<Vec<Fact>> {
+        let mut taken = vec![false; self.fact_names.len()];
+        let mut fields = self.groups.clone();
+        for field in &mut fields {
+            field.retain(|fact| !std::mem::replace(&mut taken[fact.index()], true));
+        }
+        fields.retain(|field| !field.is_empty());
+        fields
+    }
+
+    /// An operator that adds a fact of a group must add no other of it and take the one that held
+    /// before away: it requires one of the group, and either adds that same one or deletes it.
+    /// Where it requires two of the group it is never applicable.
+    fn check_groups(&self, groups_of: &[Vec<u32>], operator: &Operator) -> Result<(), TaskError> {
+        for (position, &fact) in operator.add.iter().enumerate() {
+            for &group in &groups_of[fact.index()] {
+                let of_group = |other: &&Fact| groups_of[other.index()].contains(&group);
+                let mut held = operator.preconditions.iter().filter(of_group);
+                let second = match (held.next(), held.next()) {
+                    (Some(_), Some(_)) => continue,
+                    (Some(held), None) if *held == fact || operator.delete.contains(held) => {
+                        operator.add[position + 1..].iter().find(of_group)
+                    }
+                    _ => self.groups[group as usize].iter().find(|other| **other != fact),
+                };
+                if let Some(&second) = second {
+                    let name = &self.action_names[operator.action.index()];
+                    return Err(self.not_exclusive(fact, second, name));
                 }
             }
         }
@@ -240,6 +274,26 @@ mod tests {
         task.operator("go", &[robot[0]], &[], &[]);
         let error = task.build(&[robot[0]], &[]).map(|_| ()).unwrap_err();
         assert_eq!(error, TaskError::AmbiguousAction { action: "go".into() });
+    }
+
+    #[test]
+    fn a_fact_of_two_groups_is_packed_with_the_first() {
+        // A block lies on the table or is held; the hand is empty or holds it.
+        let mut task = TaskBuilder::default();
+        let [table, held, empty] = ["on the table", "held", "empty hand"].map(|f| task.fact(f));
+        task.exclusive(vec![table, held]);
+        task.exclusive(vec![held, empty]);
+        task.operator("take", &[table, empty], &[held], &[table, empty]);
+        task.operator("drop", &[held], &[table, empty], &[held]);
+        let built = task.clone().build(&[table, empty], &[held]).unwrap();
+        assert_eq!(built.layout().group_count(), 2);
+        assert_eq!(built.layout().group(table), built.layout().group(held));
+        // The second group is proved all the same.
+        task.operator("grab", &[table], &[held], &[table]);
+        let error = task.clone().build(&[table, empty], &[held]).map(|_| ()).unwrap_err();
+        assert!(matches!(error, TaskError::NotExclusive { ref place, .. } if place == "grab"));
+        let error = task.build(&[held, empty], &[held]).map(|_| ()).unwrap_err();
+        assert!(error.to_string().contains("the initial state"), "{error}");
     }
 
     #[test]
