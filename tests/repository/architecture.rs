@@ -8,6 +8,7 @@ use crate::{files, read, root};
 const ALLOWED: &[(&str, &[&str])] = &[
     ("task", &[]),
     ("limits", &[]),
+    ("pddl", &["task"]),
     ("plan", &["task"]),
     ("sensor", &["task"]),
     ("belief", &["limits", "sensor", "task"]),
