@@ -98,7 +98,7 @@ fn texts_keys_and_goals() {
 }
 
 #[test]
-fn groups_and_rules() {
+fn groups() {
     let table = [
         (
             Put("/observers/adversarial/eyes", "2"),
@@ -136,6 +136,13 @@ fn groups_and_rules() {
             Put("/observers/adversarial/groups/Envelope", "[\"hall\"]"),
             "observers.adversarial.groups.envelope: found \"envelope\", which is the name of another group, expected a name of its own",
         ),
+    ];
+    check(example(), &table);
+}
+
+#[test]
+fn rules() {
+    let table = [
         (
             Drop("/observers/adversarial/sensor"),
             "observers.adversarial.sensor: found nothing, expected a template of symbols, or a list of rules",
@@ -209,6 +216,13 @@ fn groups_and_rules() {
             Put("/observers/adversarial/sensor/0/operator", "\"(walk ?x ?y\""),
             "observers.adversarial.sensor[0].operator, line 1, column 12: found the end of the text, expected \")\" for the \"(\" of line 1, column 1",
         ),
+    ];
+    check(example(), &table);
+}
+
+#[test]
+fn results_and_templates() {
+    let table = [
         (
             Put("/observers/adversarial/sensor/2/operator", "\"walk\""),
             "observers.adversarial.sensor[2].operator: found \"walk\", all of which rule 2 takes, expected a rule that some operator is left for",
@@ -433,6 +447,37 @@ fn every_solver_solves_the_example() {
     }
     let best = solve(&problem, &Options::new(Solver::Exact));
     assert_eq!((best.goal_difference, best.horizon), (Some(1.0), Some(5)));
+}
+
+#[test]
+fn the_examples_of_the_three_domains_are_solved() {
+    for text in [
+        include_str!("../../examples/blocksworld.json"),
+        include_str!("../../examples/logistics.json"),
+        include_str!("../../examples/driverlog.json"),
+    ] {
+        let problem = problem(text);
+        assert_eq!(problem.goals().len(), 5);
+        let mut options = Options::new(Solver::Search);
+        options.bounds.at_least = Some(3);
+        options.bounds.at_most = Some(3);
+        let outcome = solve(&problem, &options);
+        assert_eq!(outcome.status, Status::Solved);
+        assert!(outcome.goal_difference >= Some(0.0));
+    }
+}
+
+#[test]
+fn every_document_of_the_documentation_is_solved() {
+    let page = include_str!("../../docs/documents.md");
+    let examples = page.split("```json\n").skip(1);
+    let mut solved = 0;
+    for text in examples.map(|rest| rest.split("```").next().unwrap()) {
+        let outcome = solve(&problem(text), &Options::new(Solver::Exact));
+        assert_eq!(outcome.status, Status::Optimal);
+        solved += 1;
+    }
+    assert!(solved >= 3, "{solved}");
 }
 
 /// A goal that can never hold never survives; negations hold where the atom does not.
