@@ -7,6 +7,7 @@ mod encode;
 mod error;
 mod generate;
 mod input;
+mod plan;
 mod progress;
 mod solve;
 mod trace;
@@ -33,6 +34,7 @@ pub fn main() -> ExitCode {
         Command::Solve(args) => solve::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Encode(args) => encode::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Generate(args) => generate::run(&args),
     };
     match done {
