@@ -1,5 +1,7 @@
 //! Random problem documents, the same for the same seed everywhere.
 
+use std::sync::Arc;
+
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use thiserror::Error;
@@ -8,6 +10,8 @@ use super::Document;
 use super::delivery::DeliveryShape;
 use super::gridworld::GridworldShape;
 use super::pddl::generate::{BlocksworldShape, DriverlogShape, LogisticsShape};
+use crate::problem::{Goal, Problem};
+use crate::task::StateSpace;
 
 /// Why no document can be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -110,7 +114,7 @@ impl Domain {
 }
 
 /// How often a problem is drawn before giving up.
-pub(super) const MAX_TRIES: u32 = 1000;
+const MAX_TRIES: u32 = 1000;
 
 /// The random numbers of a seed.
 pub(super) fn random(seed: u64) -> impl Rng {
@@ -135,4 +139,44 @@ pub(super) fn draw<T>(random: &mut impl Rng, items: &mut Vec<T>, count: usize) -
     (0..count.min(items.len()))
         .map(|_| items.swap_remove(random.random_range(0..items.len() as u32) as usize))
         .collect()
+}
+
+/// Draws until something comes that is solvable.
+pub(super) fn until_solvable<T>(
+    mut attempt: impl FnMut() -> Option<T>,
+) -> Result<Drawn<T>, GenerateError> {
+    for redraws in 0..MAX_TRIES {
+        if let Some(document) = attempt() {
+            return Ok(Drawn { document, redraws });
+        }
+    }
+    Err(GenerateError::Unsolvable { tries: MAX_TRIES })
+}
+
+/// How many states are gone through before a goal counts as out of reach.
+const MOST_STATES: usize = 1_000_000;
+
+/// Whether the actor can reach its goal.
+pub(super) fn true_goal_is_reachable(problem: &Problem) -> bool {
+    reaches(problem, std::slice::from_ref(&problem.goals()[problem.true_goal()]))
+}
+
+/// Whether the actor can reach each of these goals, breadth first.
+pub(super) fn reaches(problem: &Problem, goals: &[Goal]) -> bool {
+    let task = problem.task();
+    let mut space = StateSpace::new(Arc::clone(task));
+    let mut missing: Vec<&Goal> = goals.iter().collect();
+    let mut next = space.intern(task.initial_state());
+    loop {
+        let words = space.words(next);
+        missing.retain(|goal| !task.satisfies(words, &goal.condition));
+        if missing.is_empty() {
+            return true;
+        }
+        space.expand(next);
+        match space.after(next) {
+            Some(state) if space.len() <= MOST_STATES => next = state,
+            _ => return false,
+        }
+    }
 }

@@ -7,6 +7,7 @@
 pub mod delivery;
 pub mod explicit;
 pub mod generate;
+pub mod grid;
 pub mod gridworld;
 mod observers;
 pub mod pddl;

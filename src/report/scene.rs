@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::domain::Document;
 use crate::domain::delivery::Factory;
-use crate::domain::gridworld::Cell;
+use crate::domain::grid::Cell;
 use crate::domain::pddl::Outline;
 use crate::problem::{Goal, Problem};
 

@@ -133,3 +133,20 @@ fn every_domain_is_drawn_by_its_name() {
     }
     assert_eq!(Domain::named("chess"), None);
 }
+
+/// An even number of moves, so that the paper's horizons have plans; every second draw is thrown
+/// away for that.
+#[test]
+fn gridworlds_have_plans_at_even_horizons() {
+    let mut redraws = 0;
+    for seed in 0..200 {
+        let shape = GridworldShape { walls: 12, ..GridworldShape::default() };
+        for shape in [GridworldShape::default(), shape] {
+            let drawn = shape.generate(seed).unwrap();
+            let ([column, row], goal) = (drawn.document.start, drawn.document.goals[0].cell);
+            assert_eq!((column.abs_diff(goal[0]) + row.abs_diff(goal[1])) % 2, 0);
+            redraws += drawn.redraws;
+        }
+    }
+    assert!((250..800).contains(&redraws), "{redraws}");
+}
