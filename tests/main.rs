@@ -17,6 +17,7 @@ mod lengths;
 mod next_actions;
 mod observers;
 mod pddl;
+mod pddl_domains;
 mod regressions;
 mod remedy;
 mod search;

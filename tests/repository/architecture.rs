@@ -16,7 +16,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("problem", &["belief", "goal_difference", "limits", "sensor", "task"]),
     ("trace", &["goal_difference", "plan", "problem", "task"]),
     ("document", &[]),
-    ("domain", &["document", "problem", "sensor", "task"]),
+    ("domain", &["document", "pddl", "problem", "sensor", "task"]),
     ("heuristic", &["belief", "problem", "task"]),
     (
         "solver",
