@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::experiment::args::ExperimentArgs;
 use clap::{Args, Parser, Subcommand};
 use mo_copp::domain::generate::Domain;
 use mo_copp::solver::{Encoding, Horizon, MAX_HORIZON, Solver};
@@ -16,6 +17,7 @@ Examples:
   mo-copp solve grid.json --solver ip --horizon 12 --json
   mo-copp solve grid.json --solver search --k 2 --j 2
   mo-copp trace grid.json --plan north,north,east
+  mo-copp experiment fig3 --problems 5
 
 Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no plan found.")]
 pub struct CommandLine {
@@ -35,6 +37,8 @@ pub enum Command {
     Encode(EncodeArgs),
     /// Print a random problem document.
     Generate(GenerateArgs),
+    /// Repeat the paper's experiments: records, tables, figures.
+    Experiment(ExperimentArgs),
 }
 
 /// What the plan must achieve.

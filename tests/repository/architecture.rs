@@ -22,8 +22,25 @@ const ALLOWED: &[(&str, &[&str])] = &[
         &["belief", "goal_difference", "heuristic", "limits", "plan", "problem", "task", "trace"],
     ),
     ("report", &["document", "domain", "goal_difference", "problem", "solver", "trace"]),
+    (
+        "experiment",
+        &["document", "domain", "goal_difference", "limits", "plan", "problem", "solver"],
+    ),
     ("bindings", &["document", "domain", "plan", "problem", "report", "solver", "trace"]),
-    ("cli", &["document", "domain", "limits", "plan", "problem", "report", "solver", "trace"]),
+    (
+        "cli",
+        &[
+            "document",
+            "domain",
+            "experiment",
+            "limits",
+            "plan",
+            "problem",
+            "report",
+            "solver",
+            "trace",
+        ],
+    ),
 ];
 
 /// The module of a file: the first name below `src/`.
