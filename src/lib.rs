@@ -18,6 +18,7 @@ pub mod experiment;
 pub mod goal_difference;
 pub mod heuristic;
 pub mod limits;
+pub mod pddl;
 pub mod plan;
 pub mod problem;
 pub mod report;

@@ -71,7 +71,7 @@ export interface Progress {
 }
 
 interface SceneBase {
-  goals: { name: string; cell?: [number, number] }[];
+  goals: { name: string; cell?: [number, number]; condition?: string }[];
   true_goal: string;
   observers: { name: string; role: Role }[];
 }
@@ -89,7 +89,18 @@ export interface DeliveryScene extends SceneBase {
   deliver: number;
 }
 export interface ExplicitScene extends SceneBase { format: "explicit" }
-export type Scene = GridworldScene | DeliveryScene | ExplicitScene;
+/** Atoms are texts, `(on a b)`, here and in states. */
+export interface PddlScene extends SceneBase {
+  format: "pddl";
+  domain: string;
+  /** Each with all types that it is of, `object` among them. */
+  objects: { name: string; types: string[] }[];
+  /** The atoms of a predicate that no action `changes` stand in `initial` alone. */
+  predicates: { name: string; arguments: number; changes: boolean }[];
+  initial: string[];
+  goals: { name: string; condition: string }[];
+}
+export type Scene = GridworldScene | DeliveryScene | ExplicitScene | PddlScene;
 "#;
 
 #[wasm_bindgen]

@@ -175,9 +175,10 @@ The same seed gives the same document everywhere.
 
 Examples:
   mo-copp generate gridworld --seed 7 --width 6 --height 6 --walls 5
-  mo-copp generate delivery --seed 7 --packages 5")]
+  mo-copp generate delivery --seed 7 --packages 5
+  mo-copp generate blocksworld --seed 7 --blocks 4")]
 pub struct GenerateArgs {
-    /// What kind of problem: gridworld or delivery.
+    /// What kind of problem: gridworld, delivery, blocksworld, logistics or driverlog.
     #[arg(value_parser = domain, value_name = "DOMAIN")]
     pub domain: Domain,
     /// The seed of the random numbers.
@@ -189,7 +190,7 @@ pub struct GenerateArgs {
     /// Rows of a gridworld [default: 8].
     #[arg(long, value_name = "N")]
     pub height: Option<u32>,
-    /// Candidate goals of a gridworld [default: 3].
+    /// Candidate goals [default: 3, in the domains in PDDL 5].
     #[arg(long, value_name = "N")]
     pub goals: Option<u32>,
     /// Walls of a gridworld [default: 0].
@@ -201,12 +202,15 @@ pub struct GenerateArgs {
     /// Factories of a delivery [default: 3].
     #[arg(long, value_name = "N")]
     pub factories: Option<u32>,
-    /// Packages of a delivery [default: 6].
+    /// Packages of a delivery [default: 6], logistics [6] or driverlog [2].
     #[arg(long, value_name = "N")]
     pub packages: Option<u32>,
     /// How many packages to deliver [default: 2].
     #[arg(long, value_name = "N")]
     pub deliver: Option<u32>,
+    /// Blocks of a blocksworld [default: 5].
+    #[arg(long, value_name = "N")]
+    pub blocks: Option<u32>,
 }
 
 fn named<T: Copy>(

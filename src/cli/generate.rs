@@ -3,6 +3,7 @@
 use mo_copp::domain::delivery::DeliveryShape;
 use mo_copp::domain::generate::{Domain, Drawn};
 use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::domain::pddl::generate::{BlocksworldShape, DriverlogShape, LogisticsShape};
 use mo_copp::solver::OptionsError;
 
 use super::args::GenerateArgs;
@@ -14,6 +15,9 @@ pub fn run(args: &GenerateArgs) -> Result<u8, CliError> {
     let drawn = match args.domain {
         Domain::Gridworld => gridworld(args)?,
         Domain::Delivery => delivery(args)?,
+        Domain::Blocksworld => blocksworld(args)?,
+        Domain::Logistics => logistics(args)?,
+        Domain::Driverlog => driverlog(args)?,
     };
     print(&(drawn.document.to_json() + "\n"))?;
     if drawn.redraws > 0 {
@@ -41,7 +45,12 @@ fn refuse(domain: &str, given: &[(&'static str, Option<u32>)]) -> Result<(), Cli
 fn gridworld(args: &GenerateArgs) -> Result<Drawn, CliError> {
     refuse(
         "gridworld",
-        &[("factories", args.factories), ("packages", args.packages), ("deliver", args.deliver)],
+        &[
+            ("factories", args.factories),
+            ("packages", args.packages),
+            ("deliver", args.deliver),
+            ("blocks", args.blocks),
+        ],
     )?;
     let default = GridworldShape::default();
     let width = args.width.unwrap_or(default.width);
@@ -68,6 +77,7 @@ fn delivery(args: &GenerateArgs) -> Result<Drawn, CliError> {
             ("goals", args.goals),
             ("walls", args.walls),
             ("belief", args.belief),
+            ("blocks", args.blocks),
         ],
     )?;
     let default = DeliveryShape::default();
@@ -76,6 +86,56 @@ fn delivery(args: &GenerateArgs) -> Result<Drawn, CliError> {
         factories: args.factories.unwrap_or(default.factories.min(packages).max(1)),
         packages,
         deliver: args.deliver.unwrap_or(default.deliver),
+    };
+    Ok(shape.generate(args.seed)?.any())
+}
+
+/// Sizes that none of the domains in PDDL has.
+fn refuse_cells(domain: &str, args: &GenerateArgs) -> Result<(), CliError> {
+    let cells = [
+        ("width", args.width),
+        ("height", args.height),
+        ("walls", args.walls),
+        ("belief", args.belief),
+        ("factories", args.factories),
+        ("deliver", args.deliver),
+    ];
+    refuse(domain, &cells)
+}
+
+fn blocksworld(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    refuse_cells("blocksworld", args)?;
+    refuse("blocksworld", &[("packages", args.packages)])?;
+    let default = BlocksworldShape::default();
+    let shape = BlocksworldShape {
+        blocks: args.blocks.unwrap_or(default.blocks),
+        goals: args.goals.unwrap_or(default.goals),
+    };
+    Ok(shape.generate(args.seed)?.any())
+}
+
+fn logistics(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    refuse_cells("logistics", args)?;
+    refuse("logistics", &[("blocks", args.blocks)])?;
+    let default = LogisticsShape::default();
+    let packages = args.packages.unwrap_or(default.packages);
+    let shape = LogisticsShape {
+        packages,
+        facts: default.facts.min(packages),
+        goals: args.goals.unwrap_or(default.goals),
+        ..default
+    };
+    Ok(shape.generate(args.seed)?.any())
+}
+
+fn driverlog(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    refuse_cells("driverlog", args)?;
+    refuse("driverlog", &[("blocks", args.blocks)])?;
+    let default = DriverlogShape::default();
+    let shape = DriverlogShape {
+        packages: args.packages.unwrap_or(default.packages),
+        goals: args.goals.unwrap_or(default.goals),
+        ..default
     };
     Ok(shape.generate(args.seed)?.any())
 }

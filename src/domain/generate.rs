@@ -9,6 +9,7 @@ use thiserror::Error;
 use super::Document;
 use super::delivery::DeliveryShape;
 use super::gridworld::GridworldShape;
+use super::pddl::generate::{BlocksworldShape, DriverlogShape, LogisticsShape};
 use crate::problem::{Goal, Problem};
 use crate::task::StateSpace;
 
@@ -57,17 +58,27 @@ pub enum Domain {
     Gridworld,
     /// Factories, packages and a truck.
     Delivery,
+    /// Towers of blocks.
+    Blocksworld,
+    /// Packages, trucks and airplanes.
+    Logistics,
+    /// Packages, trucks and their drivers.
+    Driverlog,
 }
 
 impl Domain {
     /// All of them.
-    pub const ALL: [Self; 2] = [Self::Gridworld, Self::Delivery];
+    pub const ALL: [Self; 5] =
+        [Self::Gridworld, Self::Delivery, Self::Blocksworld, Self::Logistics, Self::Driverlog];
 
-    /// The name: the format of its documents.
+    /// The name. The last three have documents of the format `pddl`, the others one of this name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Gridworld => "gridworld",
             Self::Delivery => "delivery",
+            Self::Blocksworld => "blocksworld",
+            Self::Logistics => "logistics",
+            Self::Driverlog => "driverlog",
         }
     }
 
@@ -95,6 +106,9 @@ impl Domain {
         match self {
             Self::Gridworld => GridworldShape::default().generate(seed).map(Drawn::any),
             Self::Delivery => DeliveryShape::default().generate(seed).map(Drawn::any),
+            Self::Blocksworld => BlocksworldShape::default().generate(seed).map(Drawn::any),
+            Self::Logistics => LogisticsShape::default().generate(seed).map(Drawn::any),
+            Self::Driverlog => DriverlogShape::default().generate(seed).map(Drawn::any),
         }
     }
 }

@@ -10,6 +10,7 @@ pub mod generate;
 pub mod grid;
 pub mod gridworld;
 mod observers;
+pub mod pddl;
 
 use serde::Serialize;
 
@@ -17,6 +18,7 @@ pub use delivery::Delivery;
 pub use explicit::Explicit;
 pub use gridworld::Gridworld;
 pub use observers::Observers;
+pub use pddl::Pddl;
 
 use crate::document::DocumentError;
 use crate::document::json::Json;
@@ -33,6 +35,8 @@ pub enum Document {
     Delivery(Delivery),
     /// States and transitions one by one.
     Explicit(Explicit),
+    /// A task in PDDL, with sensors by rule.
+    Pddl(Pddl),
 }
 
 impl From<Gridworld> for Document {
@@ -53,6 +57,12 @@ impl From<Explicit> for Document {
     }
 }
 
+impl From<Pddl> for Document {
+    fn from(document: Pddl) -> Self {
+        Self::Pddl(document)
+    }
+}
+
 impl Document {
     /// Reads a document of any format.
     ///
@@ -65,11 +75,11 @@ impl Document {
     /// let error = Document::parse(r#"{"format": "chess"}"#).unwrap_err();
     /// assert_eq!(
     ///     error.to_string(),
-    ///     r#"format: found "chess", expected gridworld, delivery or explicit"#
+    ///     r#"format: found "chess", expected gridworld, delivery, explicit or pddl"#
     /// );
     /// ```
     pub fn parse(text: &str) -> Result<Self, DocumentError> {
-        const EXPECTED: &str = "gridworld, delivery or explicit";
+        const EXPECTED: &str = "gridworld, delivery, explicit or pddl";
         let json = Json::parse(text)?;
         let reader = Reader::new(&json);
         let format = reader.entries()?.required("format", EXPECTED)?;
@@ -79,6 +89,7 @@ impl Document {
             }
             Json::Text(name) if name == "delivery" => Delivery::read(&reader).map(Self::Delivery),
             Json::Text(name) if name == "explicit" => Explicit::read(&reader).map(Self::Explicit),
+            Json::Text(name) if name == "pddl" => Pddl::read(&reader).map(Self::Pddl),
             _ => Err(format.expected(EXPECTED)),
         }
     }
@@ -93,6 +104,7 @@ impl Document {
             Self::Gridworld(gridworld) => gridworld.problem(),
             Self::Delivery(delivery) => delivery.problem(),
             Self::Explicit(explicit) => explicit.problem(),
+            Self::Pddl(pddl) => pddl.problem(),
         }
     }
 

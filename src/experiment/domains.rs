@@ -19,7 +19,11 @@ pub struct TestDomain {
 const FIG3: &[TestDomain] =
     &[TestDomain { domain: Domain::Gridworld, title: "Gridworld", horizon: 12, exact: true }];
 
-const FIG4: &[TestDomain] = &[];
+const FIG4: &[TestDomain] = &[
+    TestDomain { domain: Domain::Blocksworld, title: "Blocksworld", horizon: 12, exact: true },
+    TestDomain { domain: Domain::Logistics, title: "Logistics", horizon: 12, exact: false },
+    TestDomain { domain: Domain::Driverlog, title: "Driverlog", horizon: 12, exact: false },
+];
 
 impl Figure {
     /// The domains of the experiment, in the paper's order.

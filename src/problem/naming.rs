@@ -38,6 +38,12 @@ pub enum StateNaming {
     Names,
     /// All facts that hold.
     Facts,
+    /// Those of the first facts that hold; what follows says nothing new, such as that another
+    /// fact does not hold.
+    FirstFacts {
+        /// How many there are.
+        count: usize,
+    },
 }
 
 impl StateNaming {
@@ -47,6 +53,10 @@ impl StateNaming {
         let first = || task.layout().group_value(words, 0).saturating_sub(1);
         match self {
             Self::Facts => StateLabel::Facts(task.facts_of(words).into_iter().map(names).collect()),
+            Self::FirstFacts { count } => {
+                let shown = task.facts_of(words).into_iter().filter(|fact| fact.index() < count);
+                StateLabel::Facts(shown.map(names).collect())
+            }
             Self::Names => StateLabel::Name(names(Fact::new(first()))),
             Self::Cells { width } => {
                 let cell = first() as u32;

@@ -5,7 +5,8 @@ use serde::Serialize;
 use crate::domain::Document;
 use crate::domain::delivery::Factory;
 use crate::domain::grid::Cell;
-use crate::problem::Problem;
+use crate::domain::pddl::Outline;
+use crate::problem::{Goal, Problem};
 
 /// A document as something to look at. Names are texts, never markup.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -29,6 +30,9 @@ pub struct SceneGoal {
     /// Its cell, in a grid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<Cell>,
+    /// Its condition, in PDDL.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub condition: Option<String>,
 }
 
 /// An observer.
@@ -64,6 +68,8 @@ pub enum Setting {
     },
     /// States without places.
     Explicit,
+    /// Objects and predicates.
+    Pddl(Outline),
 }
 
 impl Scene {
@@ -73,7 +79,16 @@ impl Scene {
             Document::Gridworld(grid) => grid.goals.iter().map(|goal| Some(goal.cell)).collect(),
             _ => vec![None; problem.goals().len()],
         };
-        let goals = problem.goals().iter().zip(cells);
+        let condition = |goal: usize| match document {
+            Document::Pddl(pddl) => pddl.goals.get(goal).map(|goal| goal.condition.clone()),
+            _ => None,
+        };
+        let goal = |(index, (goal, cell)): (usize, (&Goal, _))| SceneGoal {
+            name: goal.name.clone(),
+            cell,
+            condition: condition(index),
+        };
+        let goals = problem.goals().iter().zip(cells).enumerate();
         let setting = match document {
             Document::Gridworld(grid) => Setting::Gridworld {
                 width: grid.width,
@@ -86,9 +101,11 @@ impl Scene {
                 deliver: delivery.deliver,
             },
             Document::Explicit(_) => Setting::Explicit,
+            // A document of which a problem was made can be read.
+            Document::Pddl(pddl) => pddl.outline().map_or(Setting::Explicit, Setting::Pddl),
         };
         Self {
-            goals: goals.map(|(goal, cell)| SceneGoal { name: goal.name.clone(), cell }).collect(),
+            goals: goals.map(goal).collect(),
             true_goal: problem.goals()[problem.true_goal()].name.clone(),
             observers: problem
                 .observers()

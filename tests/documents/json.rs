@@ -29,16 +29,19 @@ fn texts_that_are_no_documents() {
         ("[]", "document: found [], expected an object"),
         ("3", "document: found 3, expected an object"),
         ("null", "document: found null, expected an object"),
-        ("{}", "format: found nothing, expected gridworld, delivery or explicit"),
-        ("{\"format\": 3}", "format: found 3, expected gridworld, delivery or explicit"),
-        ("{\"format\": null}", "format: found null, expected gridworld, delivery or explicit"),
+        ("{}", "format: found nothing, expected gridworld, delivery, explicit or pddl"),
+        ("{\"format\": 3}", "format: found 3, expected gridworld, delivery, explicit or pddl"),
+        (
+            "{\"format\": null}",
+            "format: found null, expected gridworld, delivery, explicit or pddl",
+        ),
         (
             "{\"format\": \"chess\"}",
-            "format: found \"chess\", expected gridworld, delivery or explicit",
+            "format: found \"chess\", expected gridworld, delivery, explicit or pddl",
         ),
         (
             "{\"Format\": \"gridworld\"}",
-            "format: found nothing, expected gridworld, delivery or explicit",
+            "format: found nothing, expected gridworld, delivery, explicit or pddl",
         ),
     ];
     let mut wrong = Vec::new();

@@ -8,6 +8,7 @@ use crate::{files, read, root};
 const ALLOWED: &[(&str, &[&str])] = &[
     ("task", &[]),
     ("limits", &[]),
+    ("pddl", &["task"]),
     ("plan", &["task"]),
     ("sensor", &["task"]),
     ("belief", &["limits", "sensor", "task"]),
@@ -15,7 +16,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("problem", &["belief", "goal_difference", "limits", "sensor", "task"]),
     ("trace", &["goal_difference", "plan", "problem", "task"]),
     ("document", &[]),
-    ("domain", &["document", "problem", "sensor", "task"]),
+    ("domain", &["document", "pddl", "problem", "sensor", "task"]),
     ("heuristic", &["belief", "problem", "task"]),
     (
         "solver",
