@@ -10,7 +10,7 @@ use super::record::{Asked, Record};
 use super::{ExperimentError, Job, Setting};
 use crate::limits::LimitReached;
 use crate::problem::Problem;
-use crate::solver::{Horizon, Options, Outcome, SolveError, Stats, Status, solve};
+use crate::solver::{Horizon, Options, Outcome, SolveError, Status, shortest_plan_length, solve};
 
 /// How an attempt ended.
 #[derive(Debug)]
@@ -116,46 +116,33 @@ impl Work<'_> {
     /// The best plan of up to `most` actions, a shortest one of them; where there is none, of up to
     /// [`HORIZON_STEP`] more, and so on.
     fn up_to(&mut self, mut most: usize) -> Result<Outcome, SolveError> {
-        let mut best: Option<Outcome> = None;
-        let mut done = Stats::default();
         let expansions = self.options.limits.expansions;
-        let mut steps = 0;
-        loop {
-            let mut outcome = self.at(Horizon::Steps(steps))?;
-            outcome.stats.add_work(&done);
-            done = outcome.stats;
-            self.options.limits.expansions = expansions.saturating_sub(done.expansions);
-            let limit = match outcome.limit {
-                Some(LimitReached::Expansions { .. }) => {
-                    Some(LimitReached::Expansions { limit: expansions })
-                }
-                limit => limit,
-            };
-            let known = best.as_ref().and_then(|best| best.goal_difference);
-            if best.is_none() || outcome.goal_difference > known {
-                best = Some(outcome);
-            }
-            let Some(best) = &mut best else { continue };
-            best.stats = done;
-            best.limit = limit;
-            let found = best.plan.is_some();
-            if limit.is_some() {
-                best.status = if found { Status::Feasible } else { Status::Limit };
-                return Ok(best.clone());
-            }
-            let last = steps == most || best.goal_difference == Some(1.0);
-            if last && found {
-                return Ok(best.clone());
-            }
-            if last && most + HORIZON_STEP > self.options.horizon_limit {
-                best.status = Status::Limit;
-                best.limit = Some(LimitReached::Horizon { limit: most as u64 });
-                return Ok(best.clone());
-            }
-            if last {
-                most += HORIZON_STEP;
-            }
-            steps += 1;
+        let shortest = shortest_plan_length(self.problem, &self.options);
+        let Ok(Some(mut steps)) = shortest else {
+            // The solver finds out the same for itself, and says so.
+            return self.at(Horizon::Any);
+        };
+        while most < steps {
+            most += HORIZON_STEP;
         }
+        let mut best = self.at(Horizon::Steps(steps))?;
+        while best.limit.is_none() && steps < most && best.goal_difference != Some(1.0) {
+            steps += 1;
+            self.options.limits.expansions = expansions.saturating_sub(best.stats.expansions);
+            let mut next = self.at(Horizon::Steps(steps))?;
+            next.stats.add_work(&best.stats);
+            let (stats, limit) = (next.stats, next.limit);
+            if next.goal_difference > best.goal_difference {
+                best = next;
+            }
+            (best.stats, best.limit) = (stats, limit);
+        }
+        if let Some(LimitReached::Expansions { limit }) = &mut best.limit {
+            *limit = expansions;
+        }
+        if best.limit.is_some() {
+            best.status = if best.plan.is_some() { Status::Feasible } else { Status::Limit };
+        }
+        Ok(best)
     }
 }

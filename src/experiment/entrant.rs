@@ -76,7 +76,7 @@ impl Entrant {
     pub(super) fn takes_part(self, domain: &TestDomain, limits: &SettingLimits) -> bool {
         match self {
             Self::IpPaper => limits.paper_nodes.is_some(),
-            Self::Exact | Self::ExactUpTo | Self::ExactAny => domain.exact,
+            Self::ExactAny => domain.all_lengths,
             _ => true,
         }
     }

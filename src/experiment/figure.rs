@@ -39,9 +39,13 @@ impl Figure {
                 Entrant::ExactAny,
                 Entrant::IpPaper,
             ],
-            Self::Fig4 => {
-                &[Entrant::Search, Entrant::Obfuscate, Entrant::Legible, Entrant::ExactUpTo]
-            }
+            Self::Fig4 => &[
+                Entrant::Search,
+                Entrant::Obfuscate,
+                Entrant::Legible,
+                Entrant::ExactUpTo,
+                Entrant::ExactAny,
+            ],
         }
     }
 

@@ -33,7 +33,7 @@ impl Default for SettingLimits {
     fn default() -> Self {
         Self {
             memory_mib: 640,
-            exact_expansions: 4_000_000,
+            exact_expansions: 1_000_000,
             paper_nodes: Some(1),
             paper_nonzeros: 200_000,
             seconds: None,

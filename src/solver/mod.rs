@@ -24,4 +24,4 @@ mod tree;
 
 pub use options::{Bounds, Encoding, Horizon, MAX_HORIZON, Options, OptionsError, Solver, Watched};
 pub use outcome::{Outcome, ParetoPoint, Progress, Stats, Status};
-pub use run::{Run, SolveError, abandoned, solve};
+pub use run::{Run, SolveError, abandoned, shortest_plan_length, solve};

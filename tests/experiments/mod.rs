@@ -25,8 +25,15 @@ pub fn fig3(problems: u32) -> Setting {
 /// Figure 4 on a domain that takes no time.
 pub fn fig4(problems: u32) -> Setting {
     let domain =
-        TestDomain { domain: Domain::Delivery, title: "Delivery", horizon: 3, exact: true };
+        TestDomain { domain: Domain::Delivery, title: "Delivery", horizon: 3, all_lengths: true };
     Setting { problems, domains: vec![domain], ..Setting::new(Figure::Fig4) }
+}
+
+/// Figure 4 on Blocksworld.
+pub fn blocks(problems: u32) -> Setting {
+    let mut setting = Setting { problems, ..Setting::new(Figure::Fig4) };
+    setting.domains.truncate(1);
+    setting
 }
 
 /// An empty folder.

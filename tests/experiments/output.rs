@@ -67,6 +67,14 @@ fn by_hand() -> (Setting, Entries) {
                     ("optimal", Some((3, 1, 9)), 4.0),
                 ],
             ),
+            (
+                "exact-any",
+                vec![
+                    ("optimal", Some((5, 1, 8)), 0.04),
+                    ("optimal", Some((5, 1, 12)), 0.04),
+                    ("limit", None, 9.0),
+                ],
+            ),
         ],
     );
     (setting, entries)
@@ -138,12 +146,12 @@ fn tables_for_programs() {
     let relative = relative_csv(&summary);
     assert!(relative.ends_with("delivery,legible,1,0.25,0.5,50\n"), "{relative}");
     let records = records_csv(&entries);
-    assert_eq!(records.lines().count(), 1 + 12);
+    assert_eq!(records.lines().count(), 1 + 15);
     assert_eq!(
         records.lines().nth(1).unwrap(),
         "delivery,1,1,1,search,solved,,4,0.5,4,2,5,0,0,0.25"
     );
-    assert_eq!(records.lines().nth(7).unwrap(), "delivery,2,2,2,legible,limit,,,,,,5,0,0,9");
+    assert_eq!(records.lines().nth(8).unwrap(), "delivery,2,2,2,legible,limit,,,,,,5,0,0,9");
 }
 
 /// Everything of an SVG that stands between `from` and `to`.
@@ -188,7 +196,7 @@ fn figures_have_titles_axes_legends_and_a_dark_scheme() {
         .filter(|rect| !rect.contains("#FFFFFE") && !rect.contains("width=\"12\""))
         .map(|rect| between(rect, "height=\"", "\"")[0].parse().unwrap())
         .collect();
-    assert_eq!(heights.len(), 4);
+    assert_eq!(heights.len(), 5);
     assert!((heights[0] / heights[1] - 0.375 * 12.0).abs() < 0.5, "{heights:?}");
     let description = between(svg, "<desc>", "</desc>")[0];
     assert!(description.starts_with("Delivery, search: 0.375 ± 0.177; "), "{description}");
@@ -198,7 +206,7 @@ fn figures_have_titles_axes_legends_and_a_dark_scheme() {
 fn a_run_of_one_problem_and_one_without_any_plan_can_be_drawn() {
     let none = ("limit", None, 1.0);
     let setting = fig4(1);
-    let names = ["search", "obfuscate", "legible", "exact-up-to"];
+    let names = ["search", "obfuscate", "legible", "exact-up-to", "exact-any"];
     let entries = entries(&setting, &names.map(|name| (name, vec![none])));
     let summary = Summary::new(&setting, &entries);
     assert!(summary.domains[0].relative.is_empty());

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use mo_copp::experiment::records::write_sorted;
 use mo_copp::experiment::{Header, Setting, Shard, merge};
 
-use super::{fig3, folder, jobs, records, work};
+use super::{blocks, fig3, folder, jobs, records, work};
 
 /// Works on every part of a run; their files.
 fn parts(name: &str, setting: &Setting, of: u32) -> Vec<PathBuf> {
@@ -20,8 +20,8 @@ fn parts(name: &str, setting: &Setting, of: u32) -> Vec<PathBuf> {
 
 #[test]
 fn three_parts_merged_are_the_whole() {
-    for setting in [fig3(4), fig3(2)] {
-        let name = format!("three-{}", setting.problems);
+    for setting in [fig3(4), blocks(2)] {
+        let name = format!("three-{}", setting.figure.name());
         let files = parts(&name, &setting, 3);
         let whole = folder("whole").join("records.jsonl");
         work(&whole, &setting, Shard::WHOLE, 2);

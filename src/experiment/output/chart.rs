@@ -3,14 +3,18 @@
 //! A chart has a ground of its own and changes colours with the reader's scheme, so that it can be
 //! read on a light page and on a dark one.
 
+use std::error::Error;
+
+use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 const SIZE: (u32, u32) = (720, 400);
-/// Room for the title and the legend.
-const HEAD: u32 = 76;
 const TITLE_AT: (i32, i32) = (16, 14);
 const LEGEND_AT: (i32, i32) = (16, 48);
+/// How far the rows of the legend are apart, and what is below the last one.
+const LEGEND_ROW: i32 = 22;
+const BELOW_LEGEND: i32 = 16;
 /// Side of a legend's square, and the room to the text and to the next entry.
 const SQUARE: i32 = 12;
 const GAP: i32 = 6;
@@ -22,11 +26,12 @@ const GROUND: RGBColor = RGBColor(0xff, 0xff, 0xfe);
 const INK: RGBColor = RGBColor(0x1b, 0x1f, 0x24);
 const FAINT: RGBColor = RGBColor(0xd5, 0xd9, 0xde);
 /// Each stands out from both grounds, and neighbours differ in lightness too (after Okabe and Ito).
-const COLOURS: [RGBColor; 4] = [
+const COLOURS: [RGBColor; 5] = [
     RGBColor(0x8a, 0x8f, 0x98),
     RGBColor(0x1f, 0x77, 0xc4),
     RGBColor(0xd9, 0x6f, 0x0e),
     RGBColor(0x1d, 0x8a, 0x62),
+    RGBColor(0xb0, 0x5a, 0xb4),
 ];
 
 /// What is written over these colours where the reader's scheme is dark.
@@ -80,7 +85,7 @@ pub struct Chart {
     pub axis: String,
     /// How heights are drawn.
     pub scale: Scale,
-    /// The names of the series; up to four.
+    /// The names of the series; up to five.
     pub series: Vec<String>,
     /// The groups from left to right.
     pub groups: Vec<Group>,
@@ -88,7 +93,7 @@ pub struct Chart {
 
 impl Chart {
     /// Where a height is on the axis, which has a bottom.
-    fn place_or(&self, height: f64, bottom: f64) -> f64 {
+    fn place(&self, height: f64, bottom: f64) -> f64 {
         match self.scale {
             Scale::Linear => height,
             Scale::Logarithmic if height > 0.0 => height.log10().max(bottom),
@@ -164,26 +169,44 @@ impl Chart {
         Ok(self.dress(&svg))
     }
 
-    fn draw(&self, svg: &mut String) -> Result<(), Box<dyn std::error::Error>> {
-        let text = |size: i32| (FONT, size).into_font().color(&INK);
+    fn draw(&self, svg: &mut String) -> Result<(), Box<dyn Error>> {
+        let places = self.legend();
+        let head = places.last().map_or(LEGEND_AT.1, |place| place.1) + SQUARE + BELOW_LEGEND;
         let root = SVGBackend::with_string(svg, SIZE).into_drawing_area();
         root.fill(&GROUND)?;
-        let (head, body) = root.split_vertically(HEAD);
+        let (head, body) = root.split_vertically(head);
         head.draw_text(&self.title, &text(TITLE_SIZE), TITLE_AT)?;
-        let mut x = LEGEND_AT.0;
-        for (series, colour) in self.series.iter().zip(COLOURS) {
-            let square = [(x, LEGEND_AT.1), (x + SQUARE, LEGEND_AT.1 + SQUARE)];
+        for ((series, colour), (x, y)) in self.series.iter().zip(COLOURS).zip(places) {
+            let square = [(x, y), (x + SQUARE, y + SQUARE)];
             head.draw(&Rectangle::new(square, colour.filled()))?;
             let style = text(TEXT_SIZE).pos(Pos::new(HPos::Left, VPos::Center));
-            head.draw_text(series, &style, (x + SQUARE + GAP, LEGEND_AT.1 + SQUARE / 2))?;
-            let width = series.chars().count() as f64 * LETTER;
-            x += SQUARE + GAP + width as i32 + BETWEEN;
+            head.draw_text(series, &style, (x + SQUARE + GAP, y + SQUARE / 2))?;
         }
+        self.draw_bars(&body)?;
+        root.present()?;
+        Ok(())
+    }
 
+    /// Where the squares of the legend are: from left to right, in as many rows as it takes.
+    fn legend(&self) -> Vec<(i32, i32)> {
+        let (mut x, mut y) = LEGEND_AT;
+        let mut places = Vec::new();
+        for series in &self.series {
+            let width = (series.chars().count() as f64 * LETTER) as i32 + SQUARE + GAP;
+            if x + width > SIZE.0 as i32 && x > LEGEND_AT.0 {
+                (x, y) = (LEGEND_AT.0, y + LEGEND_ROW);
+            }
+            places.push((x, y));
+            x += width + BETWEEN;
+        }
+        places
+    }
+
+    fn draw_bars(&self, body: &DrawingArea<SVGBackend<'_>, Shift>) -> Result<(), Box<dyn Error>> {
         let (range, lines) = self.axis_range();
         let bottom = range.start;
         let count = self.groups.len().max(1) as f64;
-        let mut chart = ChartBuilder::on(&body)
+        let mut chart = ChartBuilder::on(body)
             .margin_left(10)
             .margin_right(16)
             .margin_bottom(8)
@@ -207,20 +230,18 @@ impl Chart {
         let width = FILLED / self.series.len().max(1) as f64;
         for (number, group) in self.groups.iter().enumerate() {
             let style = text(TEXT_SIZE).pos(Pos::new(HPos::Center, VPos::Top));
-            let middle = number as f64 + 0.5;
-            chart
-                .draw_series([EmptyElement::at((middle, bottom))
-                    + Text::new(group.label.clone(), (0, 10), style)])?;
+            let label = Text::new(group.label.clone(), (0, 10), style);
+            chart.draw_series([EmptyElement::at((number as f64 + 0.5, bottom)) + label])?;
             for (place, (bar, colour)) in group.bars.iter().zip(COLOURS).enumerate() {
                 let Some(bar) = bar else { continue };
                 let left = number as f64 + (1.0 - FILLED) / 2.0 + place as f64 * width;
-                let height = self.place_or(bar.height, bottom);
+                let height = self.place(bar.height, bottom);
                 let edge = width * (1.0 - FILLED) / 2.0;
                 let corners = [(left + edge, base), (left + width - edge, height)];
                 chart.draw_series([Rectangle::new(corners, colour.filled())])?;
                 let Some(error) = bar.error else { continue };
-                let low = self.place_or(bar.height - error, bottom);
-                let high = self.place_or(bar.height + error, bottom);
+                let low = self.place(bar.height - error, bottom);
+                let high = self.place(bar.height + error, bottom);
                 let (middle, cap) = (left + width / 2.0, width * CAP);
                 let mut paths = vec![[(middle, low), (middle, high)]];
                 // A logarithm may go down further than the chart: no end is drawn there.
@@ -230,10 +251,7 @@ impl Chart {
                 chart.draw_series(paths.into_iter().map(|path| PathElement::new(path, stroke)))?;
             }
         }
-        chart.draw_series([PathElement::new(vec![(0.0, base), (count, base)], INK)])?;
-        drop(chart);
-        root.present()?;
-        drop((head, body, root));
+        chart.draw_series([PathElement::new([(0.0, base), (count, base)], INK)])?;
         Ok(())
     }
 
@@ -251,6 +269,11 @@ impl Chart {
              <style>@media (prefers-color-scheme:dark){{{style}}}</style>{rest}"
         )
     }
+}
+
+/// Letters of a size.
+fn text(size: i32) -> TextStyle<'static> {
+    (FONT, size).into_font().color(&INK)
 }
 
 fn escaped(text: &str) -> String {

@@ -8,7 +8,13 @@ fn shown(summary: &Summary) -> Vec<Entrant> {
     if summary.experiment == Figure::Fig3.name() {
         vec![Entrant::Baseline, Entrant::Ip, Entrant::Search, Entrant::ExactAny]
     } else {
-        vec![Entrant::Search, Entrant::Obfuscate, Entrant::Legible, Entrant::ExactUpTo]
+        vec![
+            Entrant::Search,
+            Entrant::Obfuscate,
+            Entrant::Legible,
+            Entrant::ExactUpTo,
+            Entrant::ExactAny,
+        ]
     }
 }
 
