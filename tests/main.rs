@@ -15,6 +15,7 @@ mod golden;
 mod highs;
 mod integer_programs;
 mod observers;
+mod pddl_domains;
 mod regressions;
 mod search;
 mod set_additive;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use super::experiment::args::ExperimentArgs;
 use clap::{Args, Parser, Subcommand};
 use mo_copp::domain::generate::Domain;
+use mo_copp::limits::Limits;
 use mo_copp::solver::{Encoding, Horizon, MAX_HORIZON, Solver};
 
 /// Plans that a friend understands and an enemy does not.
@@ -17,6 +18,7 @@ Examples:
   mo-copp solve grid.json --solver ip --horizon 12 --json
   mo-copp solve grid.json --solver search --k 2 --j 2
   mo-copp trace grid.json --plan north,north,east
+  mo-copp plan domain.pddl task.pddl
   mo-copp experiment fig3 --problems 5
 
 Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no plan found.")]
@@ -35,6 +37,8 @@ pub enum Command {
     Trace(TraceArgs),
     /// Print the integer program in LP format, for any other solver.
     Encode(EncodeArgs),
+    /// Find a plan for a task in PDDL that nobody watches.
+    Plan(PlanArgs),
     /// Print a random problem document.
     Generate(GenerateArgs),
     /// Repeat the paper's experiments: records, tables, figures.
@@ -109,9 +113,9 @@ pub struct SolveArgs {
     pub limits: LimitArgs,
 }
 
-/// Where to stop.
+/// Where a search stops.
 #[derive(Debug, Args)]
-pub struct LimitArgs {
+pub struct SearchLimitArgs {
     /// Memory for states, beliefs and nodes, counted by contents; the process takes up to three
     /// times as much.
     #[arg(long = "memory-limit", value_name = "MIB", default_value_t = 640)]
@@ -119,6 +123,25 @@ pub struct LimitArgs {
     /// Expansions of the exact solver or of a search.
     #[arg(long = "expansion-limit", value_name = "N")]
     pub expansions: Option<u64>,
+}
+
+impl SearchLimitArgs {
+    /// The limits meant.
+    pub fn limits(&self) -> Limits {
+        Limits {
+            bytes: self.memory.saturating_mul(1 << 20),
+            expansions: self.expansions.unwrap_or(u64::MAX),
+            ..Limits::default()
+        }
+    }
+}
+
+/// Where to stop.
+#[derive(Debug, Args)]
+pub struct LimitArgs {
+    /// Where a search stops.
+    #[command(flatten)]
+    pub search: SearchLimitArgs,
     /// Branch-and-bound nodes of the integer program.
     #[arg(long = "node-limit", value_name = "N")]
     pub nodes: Option<u64>,
@@ -165,6 +188,28 @@ pub struct EncodeArgs {
     /// What the plan must achieve.
     #[command(flatten)]
     pub bounds: BoundsArgs,
+}
+
+/// Find a plan for a task in PDDL.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Greedy best-first search with the set-additive heuristic: the first plan found, one operator a line.
+Read are STRIPS domains with types, equality and negative preconditions.
+
+Examples:
+  mo-copp plan domain.pddl task.pddl
+  mo-copp plan domain.pddl task.pddl --json")]
+pub struct PlanArgs {
+    /// The domain; - for the standard input.
+    pub domain: PathBuf,
+    /// The task; - for the standard input.
+    pub task: PathBuf,
+    /// One JSON object instead of text.
+    #[arg(long)]
+    pub json: bool,
+    /// Where to stop.
+    #[command(flatten)]
+    pub limits: SearchLimitArgs,
 }
 
 /// Print a random problem.

@@ -8,6 +8,7 @@ mod error;
 mod experiment;
 mod generate;
 mod input;
+mod plan;
 mod progress;
 mod solve;
 mod trace;
@@ -34,6 +35,7 @@ pub fn main() -> ExitCode {
         Command::Solve(args) => solve::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Encode(args) => encode::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Generate(args) => generate::run(&args),
         Command::Experiment(args) => experiment::run_command(&args),
     };

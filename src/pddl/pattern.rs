@@ -2,11 +2,12 @@
 //!
 //! `*` matches every operator, `stack` every one of that name, and `(stack a ?x - small)` those whose
 //! arguments fit: an object is itself, a variable is anything of the type, or of the *group* of
-//! objects, that stands behind its dash. A variable that stands twice is the same object twice.
+//! objects, that stands behind its dash (and, as everywhere in PDDL, behind those before it that have
+//! no dash). A variable that stands twice is the same object twice.
 
 use std::sync::Arc;
 
-use super::atom::{Atom, LiftedAtom, Scope, Term};
+use super::atom::{Atom, LiftedAtom, Scope, Term, arguments_of};
 use super::condition::Condition;
 use super::definition::TaskDefinition;
 use super::domain::Domain;
@@ -86,8 +87,8 @@ impl Pattern {
         let items = typed_list(items)?;
         let count = schema.parameters.len();
         if items.len() != count {
-            let found = format!("{} arguments of {}", items.len(), schema.name);
-            return Err(whole.wrong(found, count.to_string()));
+            let found = format!("{} with {}", schema.name, arguments_of(items.len()));
+            return Err(whole.wrong(found, arguments_of(count)));
         }
         pattern.schema = Some(number);
         let mut arguments = Vec::with_capacity(count);
@@ -112,9 +113,6 @@ impl Pattern {
         let expected = || domain.types.written(wanted);
         if !place.symbol().is_some_and(|name| name.starts_with('?')) {
             let object = task.objects.find(place)?;
-            if let Some(kind) = typed.kind {
-                return Err(kind.wrong(format!("a type behind {}", place.shown()), "none there"));
-            }
             if !task.objects.types(object).is_within(wanted) {
                 return Err(place.expected(&expected()));
             }

@@ -1,10 +1,12 @@
 //! What other programs read: the JSON of the command line and the objects of the JavaScript API.
 
+mod classical;
 mod request;
 mod scene;
 
 use serde::Serialize;
 
+pub use classical::{PlanReport, PlanStats};
 pub use request::read_options;
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 

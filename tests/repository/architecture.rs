@@ -35,6 +35,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "domain",
             "experiment",
             "limits",
+            "pddl",
             "plan",
             "problem",
             "report",

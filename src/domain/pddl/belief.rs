@@ -15,7 +15,7 @@ const MAX_ATOMS: usize = if cfg!(target_arch = "wasm32") { 1_000_000 } else { 10
 
 /// The most states that are gone through for those with a condition, and how many bytes they may
 /// take with their transitions.
-const MAX_STATES: usize = if cfg!(target_arch = "wasm32") { 200_000 } else { 2_000_000 };
+const MAX_STATES: usize = if cfg!(target_arch = "wasm32") { 200_000 } else { 1_000_000 };
 const MAX_BYTES: u64 = if cfg!(target_arch = "wasm32") { 64 << 20 } else { 512 << 20 };
 
 /// An initial belief whose texts are read; states and conditions by their positions in [`More`].

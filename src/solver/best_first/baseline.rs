@@ -8,8 +8,6 @@ use std::sync::Arc;
 use super::engine::{BestFirst, SearchSpace};
 use crate::heuristic::{SetAdditive, UNREACHABLE};
 use crate::limits::{LimitReached, Limits};
-use crate::problem::Problem;
-use crate::solver::Options;
 use crate::solver::engine::Engine;
 use crate::solver::outcome::Stats;
 use crate::task::{Action, StateId, StateSpace, Task};
@@ -24,19 +22,18 @@ struct States {
     limits: Limits,
 }
 
-/// The baseline on a problem, for plans of any length or of exactly `horizon` actions.
+/// The baseline on a task, for plans of any length or of exactly `horizon` actions.
 pub(in crate::solver) fn engine(
-    problem: &Problem,
-    options: &Options,
+    task: &Arc<Task>,
+    limits: Limits,
     horizon: Option<usize>,
 ) -> impl Engine + use<> {
-    let task = Arc::clone(problem.task());
     BestFirst::new(States {
-        space: StateSpace::new(Arc::clone(&task)),
-        heuristic: SetAdditive::new(&task),
-        task,
+        space: StateSpace::new(Arc::clone(task)),
+        heuristic: SetAdditive::new(task),
+        task: Arc::clone(task),
         horizon,
-        limits: options.limits,
+        limits,
     })
 }
 

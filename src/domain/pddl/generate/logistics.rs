@@ -38,8 +38,10 @@ impl LogisticsShape {
         in_range("airplanes", self.airplanes, 1..=64)?;
         in_range("packages", self.packages, 1..=64)?;
         in_range("facts", self.facts, 1..=self.packages)?;
-        // No fewer goals than there are places elsewhere for the packages of one goal.
-        let goals = (2 * self.cities - 1).saturating_pow(self.facts);
+        // A goal chooses packages and for each of them a place where it is not.
+        let choices = (0..self.facts)
+            .fold(1_u32, |ways, taken| ways.saturating_mul(self.packages - taken) / (taken + 1));
+        let goals = (2 * self.cities - 1).saturating_pow(self.facts).saturating_mul(choices);
         in_range("goals", self.goals, 2..=goals.min(1024))?;
         let mut random = random(seed);
         let places: Vec<String> =
