@@ -72,6 +72,11 @@ impl Entrant {
         }
     }
 
+    /// Whether it stands for the optimum.
+    pub fn is_exact(self) -> bool {
+        matches!(self, Self::Exact | Self::ExactUpTo | Self::ExactAny)
+    }
+
     /// Whether a run of this setting has this entrant on this domain.
     pub(super) fn takes_part(self, domain: &TestDomain, limits: &SettingLimits) -> bool {
         match self {

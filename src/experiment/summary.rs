@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::record::Record;
 use super::records::Entries;
 use super::statistics::{Anova, Spread};
-use super::{Entrant, Figure, Setting};
+use super::{Entrant, Figure, Setting, SettingLimits};
 
 /// A measure of a solver's answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -147,6 +147,8 @@ pub struct Relative {
     pub search: f64,
     /// 100 times the first over the second; none where the search's is 0.
     pub percent: Option<f64>,
+    /// The standard deviation of the solver's goal difference in the same unit.
+    pub percent_sd: Option<f64>,
 }
 
 /// A domain.
@@ -156,6 +158,8 @@ pub struct DomainSummary {
     pub domain: &'static str,
     /// Its name in tables.
     pub title: &'static str,
+    /// The first horizon of the solvers that take one.
+    pub horizon: usize,
     /// How many problems.
     pub problems: u32,
     /// How many documents were drawn and thrown away because their true goal cannot be reached.
@@ -180,6 +184,10 @@ pub struct Summary {
     pub seed: u64,
     /// How many problems of each domain.
     pub problems: u32,
+    /// k and j of the search.
+    pub bounds: (usize, usize),
+    /// Where solvers stopped.
+    pub limits: SettingLimits,
     /// Each domain.
     pub domains: Vec<DomainSummary>,
 }
@@ -220,17 +228,18 @@ impl Column<'_> {
             .zip(&search.records)
             .filter_map(|(own, search)| Some((own.goal_difference?, search.goal_difference?)))
             .collect();
-        let mean = |of: fn(&(f64, f64)) -> f64| {
-            Spread::of(&pairs.iter().map(of).collect::<Vec<_>>()).map(|spread| spread.mean)
-        };
-        let (own, search) = (mean(|pair| pair.0)?, mean(|pair| pair.1)?);
+        let spread =
+            |of: fn(&(f64, f64)) -> f64| Spread::of(&pairs.iter().map(of).collect::<Vec<_>>());
+        let (own, search) = (spread(|pair| pair.0)?, spread(|pair| pair.1)?.mean);
+        let percent = |value: f64| (search != 0.0).then(|| 100.0 * value / search);
         Some(Relative {
             solver: self.entrant.name(),
             title: self.entrant.title(),
             n: pairs.len(),
-            mean: own,
+            mean: own.mean,
             search,
-            percent: (search != 0.0).then(|| 100.0 * own / search),
+            percent: percent(own.mean),
+            percent_sd: own.sd.and_then(percent),
         })
     }
 }
@@ -256,6 +265,7 @@ impl Summary {
             DomainSummary {
                 domain: domain.domain.name(),
                 title: domain.title,
+                horizon: domain.horizon,
                 problems: setting.problems,
                 redraws,
                 solvers: columns.iter().map(Column::summary).collect(),
@@ -268,6 +278,8 @@ impl Summary {
             version: env!("CARGO_PKG_VERSION"),
             seed: setting.seed,
             problems: setting.problems,
+            bounds: setting.figure.bounds(),
+            limits: setting.limits.clone(),
             domains: domains.collect(),
         }
     }

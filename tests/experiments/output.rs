@@ -101,6 +101,9 @@ fn a_summary_is_what_a_hand_computes() {
     let [obfuscate, legible] = &domain.relative[..] else { panic!("two lines") };
     assert_eq!((obfuscate.n, obfuscate.mean, obfuscate.search), (2, -0.125, 0.375));
     assert!((obfuscate.percent.unwrap() + 100.0 / 3.0).abs() < 1e-9);
+    // The deviation of 0 and −1/4 over 3/8.
+    let deviation = 100.0 * (0.25 / 2_f64.sqrt()) / 0.375;
+    assert!((obfuscate.percent_sd.unwrap() - deviation).abs() < 1e-9);
     assert_eq!((legible.n, legible.mean, legible.search), (1, 0.25, 0.5));
     assert_eq!(legible.percent, Some(50.0));
     // scipy.stats.f_oneway([0.5, 0.25], [0, -0.25, 0.5], [0.25]) of SciPy 1.17.1.
@@ -144,7 +147,7 @@ fn tables_for_programs() {
     let line = anova.lines().nth(1).unwrap();
     assert!(line.starts_with("delivery,goal_difference,search obfuscate legible,2,3,0.48387"));
     let relative = relative_csv(&summary);
-    assert!(relative.ends_with("delivery,legible,1,0.25,0.5,50\n"), "{relative}");
+    assert!(relative.ends_with("delivery,legible,1,0.25,0.5,50,\n"), "{relative}");
     let records = records_csv(&entries);
     assert_eq!(records.lines().count(), 1 + 15);
     assert_eq!(
@@ -196,7 +199,8 @@ fn figures_have_titles_axes_legends_and_a_dark_scheme() {
         .filter(|rect| !rect.contains("#FFFFFE") && !rect.contains("width=\"12\""))
         .map(|rect| between(rect, "height=\"", "\"")[0].parse().unwrap())
         .collect();
-    assert_eq!(heights.len(), 5);
+    // Neither row of the exact solver is proved on all problems.
+    assert_eq!(heights.len(), 3);
     assert!((heights[0] / heights[1] - 0.375 * 12.0).abs() < 0.5, "{heights:?}");
     let description = between(svg, "<desc>", "</desc>")[0];
     assert!(description.starts_with("Delivery, search: 0.375 ± 0.177; "), "{description}");

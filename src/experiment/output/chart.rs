@@ -25,15 +25,6 @@ const LETTER: f64 = 7.6;
 const GROUND: RGBColor = RGBColor(0xff, 0xff, 0xfe);
 const INK: RGBColor = RGBColor(0x1b, 0x1f, 0x24);
 const FAINT: RGBColor = RGBColor(0xd5, 0xd9, 0xde);
-/// Each stands out from both grounds, and neighbours differ in lightness too (after Okabe and Ito).
-const COLOURS: [RGBColor; 5] = [
-    RGBColor(0x8a, 0x8f, 0x98),
-    RGBColor(0x1f, 0x77, 0xc4),
-    RGBColor(0xd9, 0x6f, 0x0e),
-    RGBColor(0x1d, 0x8a, 0x62),
-    RGBColor(0xb0, 0x5a, 0xb4),
-];
-
 /// What is written over these colours where the reader's scheme is dark.
 const DARK: [(RGBColor, &str); 3] = [(GROUND, "#15191e"), (INK, "#e8ebef"), (FAINT, "#3a414a")];
 
@@ -56,6 +47,42 @@ pub enum Scale {
     Linear,
     /// Seconds by their logarithm.
     Logarithmic,
+}
+
+/// Colours of bars. Each stands out from both grounds (after Okabe and Ito).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Colour {
+    /// For what is plain.
+    Grey,
+    /// The first of three.
+    Blue,
+    /// What the chart is about.
+    Orange,
+    /// An optimum.
+    Green,
+    /// Another optimum.
+    Purple,
+}
+
+impl Colour {
+    fn rgb(self) -> RGBColor {
+        match self {
+            Self::Grey => RGBColor(0x8a, 0x8f, 0x98),
+            Self::Blue => RGBColor(0x1f, 0x77, 0xc4),
+            Self::Orange => RGBColor(0xd9, 0x6f, 0x0e),
+            Self::Green => RGBColor(0x1d, 0x8a, 0x62),
+            Self::Purple => RGBColor(0xb0, 0x5a, 0xb4),
+        }
+    }
+}
+
+/// Bars of one colour, one in each group.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Series {
+    /// What stands in the legend.
+    pub label: String,
+    /// Their colour.
+    pub colour: Colour,
 }
 
 /// A bar.
@@ -85,8 +112,8 @@ pub struct Chart {
     pub axis: String,
     /// How heights are drawn.
     pub scale: Scale,
-    /// The names of the series; up to five.
-    pub series: Vec<String>,
+    /// The bars of each group from left to right.
+    pub series: Vec<Series>,
     /// The groups from left to right.
     pub groups: Vec<Group>,
 }
@@ -152,7 +179,8 @@ impl Chart {
             for (series, bar) in self.series.iter().zip(&group.bars) {
                 let Some(bar) = bar else { continue };
                 let error = bar.error.map(|error| format!(" ± {error:.3}")).unwrap_or_default();
-                parts.push(format!("{}, {series}: {:.3}{error}", group.label, bar.height));
+                let label = &series.label;
+                parts.push(format!("{}, {label}: {:.3}{error}", group.label, bar.height));
             }
         }
         parts.join("; ")
@@ -176,11 +204,11 @@ impl Chart {
         root.fill(&GROUND)?;
         let (head, body) = root.split_vertically(head);
         head.draw_text(&self.title, &text(TITLE_SIZE), TITLE_AT)?;
-        for ((series, colour), (x, y)) in self.series.iter().zip(COLOURS).zip(places) {
+        for (series, (x, y)) in self.series.iter().zip(places) {
             let square = [(x, y), (x + SQUARE, y + SQUARE)];
-            head.draw(&Rectangle::new(square, colour.filled()))?;
+            head.draw(&Rectangle::new(square, series.colour.rgb().filled()))?;
             let style = text(TEXT_SIZE).pos(Pos::new(HPos::Left, VPos::Center));
-            head.draw_text(series, &style, (x + SQUARE + GAP, y + SQUARE / 2))?;
+            head.draw_text(&series.label, &style, (x + SQUARE + GAP, y + SQUARE / 2))?;
         }
         self.draw_bars(&body)?;
         root.present()?;
@@ -192,7 +220,7 @@ impl Chart {
         let (mut x, mut y) = LEGEND_AT;
         let mut places = Vec::new();
         for series in &self.series {
-            let width = (series.chars().count() as f64 * LETTER) as i32 + SQUARE + GAP;
+            let width = (series.label.chars().count() as f64 * LETTER) as i32 + SQUARE + GAP;
             if x + width > SIZE.0 as i32 && x > LEGEND_AT.0 {
                 (x, y) = (LEGEND_AT.0, y + LEGEND_ROW);
             }
@@ -232,13 +260,13 @@ impl Chart {
             let style = text(TEXT_SIZE).pos(Pos::new(HPos::Center, VPos::Top));
             let label = Text::new(group.label.clone(), (0, 10), style);
             chart.draw_series([EmptyElement::at((number as f64 + 0.5, bottom)) + label])?;
-            for (place, (bar, colour)) in group.bars.iter().zip(COLOURS).enumerate() {
+            for (place, (bar, series)) in group.bars.iter().zip(&self.series).enumerate() {
                 let Some(bar) = bar else { continue };
                 let left = number as f64 + (1.0 - FILLED) / 2.0 + place as f64 * width;
                 let height = self.place(bar.height, bottom);
                 let edge = width * (1.0 - FILLED) / 2.0;
                 let corners = [(left + edge, base), (left + width - edge, height)];
-                chart.draw_series([Rectangle::new(corners, colour.filled())])?;
+                chart.draw_series([Rectangle::new(corners, series.colour.rgb().filled())])?;
                 let Some(error) = bar.error else { continue };
                 let low = self.place(bar.height - error, bottom);
                 let high = self.place(bar.height + error, bottom);

@@ -88,7 +88,7 @@ pub fn anova_csv(summary: &Summary) -> String {
 
 /// One line for each domain and solver that is held against the search.
 pub fn relative_csv(summary: &Summary) -> String {
-    let header = ["domain", "solver", "n", "mean", "search_mean", "percent"];
+    let header = ["domain", "solver", "n", "mean", "search_mean", "percent", "percent_sd"];
     let rows = summary.domains.iter().flat_map(|domain| {
         domain.relative.iter().map(|line| {
             vec![
@@ -98,6 +98,7 @@ pub fn relative_csv(summary: &Summary) -> String {
                 line.mean.to_string(),
                 line.search.to_string(),
                 number(line.percent),
+                number(line.percent_sd),
             ]
         })
     });

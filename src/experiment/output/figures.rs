@@ -1,9 +1,9 @@
 //! The figures of a run, in the manner of the paper's Figures 3 and 4.
 
-use super::chart::{Bar, Chart, Group, Scale};
+use super::chart::{Bar, Chart, Colour, Group, Scale, Series};
 use crate::experiment::{Entrant, ExperimentError, Figure, Measure, Summary};
 
-/// The solvers shown, with the colour of each: the paper's three and the optimum.
+/// The solvers shown: the paper's three and the optimum.
 fn shown(summary: &Summary) -> Vec<Entrant> {
     if summary.experiment == Figure::Fig3.name() {
         vec![Entrant::Baseline, Entrant::Ip, Entrant::Search, Entrant::ExactAny]
@@ -16,6 +16,18 @@ fn shown(summary: &Summary) -> Vec<Entrant> {
             Entrant::ExactAny,
         ]
     }
+}
+
+/// How a solver is shown, the same in all figures of an experiment.
+fn series(entrant: Entrant) -> Series {
+    let colour = match entrant {
+        Entrant::Baseline | Entrant::IpPaper | Entrant::Legible => Colour::Grey,
+        Entrant::Ip | Entrant::Obfuscate => Colour::Blue,
+        Entrant::Search => Colour::Orange,
+        Entrant::Exact | Entrant::ExactUpTo => Colour::Green,
+        Entrant::ExactAny => Colour::Purple,
+    };
+    Series { label: entrant.title().to_owned(), colour }
 }
 
 /// Name and SVG text of each figure: one for each measure, and in Figure 4 the relative goal
@@ -49,13 +61,18 @@ fn of_measure(summary: &Summary, measure: Measure) -> Chart {
         Measure::Length => ("actions", Scale::Linear, "Plan length"),
         Measure::Seconds => ("seconds (logarithmic)", Scale::Logarithmic, "Run time"),
     };
-    let series = shown(summary);
+    let shown = shown(summary);
     let groups = summary.domains.iter().map(|domain| Group {
         label: domain.title.to_owned(),
-        bars: series
+        bars: shown
             .iter()
             .map(|&entrant| {
-                let spread = domain.of(entrant)?.spread(measure)?;
+                let solver = domain.of(entrant)?;
+                // The best plan found before a limit is no optimum to be measured against.
+                if entrant.is_exact() && solver.statuses.optimal < domain.problems as usize {
+                    return None;
+                }
+                let spread = solver.spread(measure)?;
                 Some(Bar { height: spread.mean, error: spread.sd })
             })
             .collect(),
@@ -64,20 +81,20 @@ fn of_measure(summary: &Summary, measure: Measure) -> Chart {
         title: format!("{what}: mean and standard deviation"),
         axis: axis.to_owned(),
         scale,
-        series: series.iter().map(|entrant| entrant.title().to_owned()).collect(),
+        series: shown.iter().map(|&entrant| series(entrant)).collect(),
         groups: groups.collect(),
     }
 }
 
 fn relative(summary: &Summary) -> Chart {
-    let series = [Entrant::Obfuscate, Entrant::Legible];
+    let shown = [Entrant::Obfuscate, Entrant::Legible];
     let groups = summary.domains.iter().map(|domain| Group {
         label: domain.title.to_owned(),
-        bars: series
+        bars: shown
             .iter()
             .map(|entrant| {
                 let line = domain.relative.iter().find(|line| line.solver == entrant.name())?;
-                Some(Bar { height: line.percent?, error: None })
+                Some(Bar { height: line.percent?, error: line.percent_sd })
             })
             .collect(),
     });
@@ -85,7 +102,7 @@ fn relative(summary: &Summary) -> Chart {
         title: "Goal difference relative to the search's".to_owned(),
         axis: "per cent".to_owned(),
         scale: Scale::Linear,
-        series: series.iter().map(|entrant| entrant.title().to_owned()).collect(),
+        series: shown.map(series).to_vec(),
         groups: groups.collect(),
     }
 }

@@ -9,7 +9,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-pub use chart::{Bar, Chart, Group, Scale};
+pub use chart::{Bar, Chart, Colour, Group, Scale, Series};
 pub use csv::{anova_csv, records_csv, relative_csv, summary_csv};
 pub use figures::figures;
 pub use markdown::markdown;
