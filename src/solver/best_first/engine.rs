@@ -18,6 +18,8 @@ pub(super) enum Admission {
     Expand,
     /// It waits for the next round.
     Defer,
+    /// It is left out, since it is one that was expanded before.
+    Drop,
 }
 
 /// What is searched.
@@ -29,7 +31,7 @@ pub(super) trait SearchSpace: Send {
     fn root(&mut self) -> Self::Key;
 
     /// Whether a plan may end here.
-    fn is_goal(&mut self, key: Self::Key) -> bool;
+    fn is_goal(&mut self, key: Self::Key) -> Result<bool, LimitReached>;
 
     /// The heuristic value of a node; none for a dead end.
     fn value(&mut self, key: Self::Key) -> Option<i64>;
@@ -42,8 +44,8 @@ pub(super) trait SearchSpace: Send {
     ) -> Result<(), LimitReached>;
 
     /// Whether a node is expanded in this round. A space that never defers has one round.
-    fn admit(&mut self, _key: Self::Key) -> Admission {
-        Admission::Expand
+    fn admit(&mut self, _key: Self::Key) -> Result<Admission, LimitReached> {
+        Ok(Admission::Expand)
     }
 
     /// All nodes of this round are done and some wait.
@@ -73,6 +75,8 @@ pub(super) struct BestFirst<S: SearchSpace> {
     deferred: Open,
     pushed: u64,
     expansions: u64,
+    /// Whether the root is open.
+    begun: bool,
     /// The node that ends a plan.
     end: Option<usize>,
     found: Vec<(Action, S::Key)>,
@@ -81,30 +85,30 @@ pub(super) struct BestFirst<S: SearchSpace> {
 impl<S: SearchSpace> BestFirst<S> {
     pub(super) fn new(mut space: S) -> Self {
         let root = space.root();
-        let mut search = Self {
+        Self {
             space,
             tree: SearchTree::new(root),
             open: BinaryHeap::new(),
             deferred: BinaryHeap::new(),
             pushed: 0,
             expansions: 0,
+            begun: false,
             end: None,
             found: Vec::new(),
-        };
-        search.push(0);
-        search
+        }
     }
 
     /// Opens a node that is new, unless it is a dead end. The goal is tested here and not when the
     /// node's turn comes: a plan found is a plan.
-    fn push(&mut self, index: usize) {
+    fn push(&mut self, index: usize) -> Result<(), LimitReached> {
         let key = self.tree.key(index);
-        if self.space.is_goal(key) {
+        if self.space.is_goal(key)? {
             self.end = Some(index);
         } else if let Some(value) = self.space.value(key) {
             self.open.push(Reverse((value, self.pushed, index as u32)));
             self.pushed += 1;
         }
+        Ok(())
     }
 
     fn check_limits(&self) -> Result<(), LimitReached> {
@@ -127,7 +131,7 @@ impl<S: SearchSpace> BestFirst<S> {
         if expanded.is_ok() {
             for &(action, key) in &found {
                 if let Some(new) = self.tree.meet(key, index, action) {
-                    self.push(new);
+                    self.push(new)?;
                     if self.end.is_some() {
                         break;
                     }
@@ -145,6 +149,10 @@ impl<S: SearchSpace> BestFirst<S> {
 
 impl<S: SearchSpace> Engine for BestFirst<S> {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
+        if !self.begun {
+            self.begun = true;
+            self.push(0)?;
+        }
         for _ in 0..budget {
             if let Some(plan) = self.plan() {
                 return Ok(Advance::Finished(Finding::plan(Status::Solved, plan)));
@@ -158,9 +166,10 @@ impl<S: SearchSpace> Engine for BestFirst<S> {
                 continue;
             };
             let Reverse((_, _, index)) = next;
-            match self.space.admit(self.tree.key(index as usize)) {
+            match self.space.admit(self.tree.key(index as usize))? {
                 Admission::Expand => self.expand(index as usize)?,
                 Admission::Defer => self.deferred.push(next),
+                Admission::Drop => {}
             }
         }
         Ok(Advance::Working)
