@@ -10,6 +10,7 @@ mod corrections;
 mod documents;
 mod domains;
 mod exact;
+mod experiments;
 mod golden;
 mod highs;
 mod integer_programs;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::experiment::args::ExperimentArgs;
 use clap::{Args, Parser, Subcommand};
 use mo_copp::domain::generate::Domain;
 use mo_copp::limits::Limits;
@@ -18,6 +19,7 @@ Examples:
   mo-copp solve grid.json --solver search --k 2 --j 2
   mo-copp trace grid.json --plan north,north,east
   mo-copp plan domain.pddl task.pddl
+  mo-copp experiment fig3 --problems 5
 
 Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no plan found.")]
 pub struct CommandLine {
@@ -39,6 +41,8 @@ pub enum Command {
     Plan(PlanArgs),
     /// Print a random problem document.
     Generate(GenerateArgs),
+    /// Repeat the paper's experiments: records, tables, figures.
+    Experiment(ExperimentArgs),
 }
 
 /// What the plan must achieve.

@@ -23,10 +23,25 @@ const ALLOWED: &[(&str, &[&str])] = &[
         &["belief", "goal_difference", "heuristic", "limits", "plan", "problem", "task", "trace"],
     ),
     ("report", &["document", "domain", "goal_difference", "plan", "problem", "solver", "trace"]),
+    (
+        "experiment",
+        &["document", "domain", "goal_difference", "limits", "plan", "problem", "solver"],
+    ),
     ("bindings", &["document", "domain", "plan", "problem", "report", "solver", "trace"]),
     (
         "cli",
-        &["document", "domain", "limits", "pddl", "plan", "problem", "report", "solver", "trace"],
+        &[
+            "document",
+            "domain",
+            "experiment",
+            "limits",
+            "pddl",
+            "plan",
+            "problem",
+            "report",
+            "solver",
+            "trace",
+        ],
     ),
 ];
 
