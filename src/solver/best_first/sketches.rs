@@ -2,8 +2,8 @@
 //!
 //! Algorithm 1 carries both full beliefs in every node, and a belief may hold a hundred thousand
 //! states. Yet of most nodes nothing is asked but how far the goals are from the beliefs. So a node
-//! carries *sketches*. The sketch of a belief of at most [`WHOLE`] states is all of it. That of a
-//! larger one is some [`KEPT`] states of it, those nearest to the candidate goals, followed from one
+//! carries *sketches*. The sketch of a belief of at most `WHOLE` states is all of it. That of a
+//! larger one is some `KEPT` states of it, those nearest to the candidate goals, followed from one
 //! symbol to the next as a beam search would: the states of the next sketch are successors of the
 //! states of the one before.
 //!
@@ -145,7 +145,7 @@ impl Sketches {
     /// The sketch after a symbol, seen as the actor went to the state `truth`.
     ///
     /// Constant for a symbol that was seen here before; else at most linear in the transitions out
-    /// of [`WHOLE`] states, but for their heuristic values.
+    /// of `WHOLE` states, but for their heuristic values.
     pub(super) fn follow(
         &mut self,
         joint: &mut JointSpace,
