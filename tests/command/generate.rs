@@ -35,8 +35,8 @@ fn domains_in_pddl_are_drawn_and_solved() {
     assert!(ran.out.contains("p1 p2 p3 - package"));
     for (arguments, message) in [
         (["blocksworld", "--blocks", "2"], "blocks: found 2, expected a whole number from 3 to 26"),
-        (["blocksworld", "--width", "2"], "width: found 2, expected nothing, since a blocksworld"),
-        (["logistics", "--blocks", "4"], "blocks: found 4, expected nothing, since a logistics"),
+        (["blocksworld", "--width", "2"], "width: found 2, expected nothing, since blocksworld"),
+        (["logistics", "--blocks", "4"], "blocks: found 4, expected nothing, since logistics"),
         (["logistics", "--packages", "0"], "packages: found 0, expected a whole number from 1"),
         (["driverlog", "--deliver", "1"], "deliver: found 1, expected nothing"),
         (["gridworld", "--blocks", "4"], "blocks: found 4, expected nothing"),
