@@ -17,7 +17,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("trace", &["goal_difference", "plan", "problem", "task"]),
     ("document", &[]),
     ("domain", &["document", "pddl", "problem", "sensor", "task"]),
-    ("heuristic", &["belief", "problem", "task"]),
+    ("heuristic", &["problem", "task"]),
     (
         "solver",
         &["belief", "goal_difference", "heuristic", "limits", "plan", "problem", "task", "trace"],
