@@ -39,6 +39,11 @@ impl GoalSet {
         self.0.insert(goal);
     }
 
+    /// Adds all goals of another set.
+    pub fn unite(&mut self, other: &Self) {
+        self.0.union_with(&other.0);
+    }
+
     /// The goals in the set, in order.
     pub fn iter(&self) -> impl Iterator<Item = usize> + '_ {
         self.0.ones()
@@ -133,7 +138,7 @@ impl Survivors {
             }
             let mut union = GoalSet::none(self.goals.len());
             for class in seen.ones() {
-                union.0.union_with(&self.sets[class].0);
+                union.unite(&self.sets[class]);
             }
             let number = self.number(union);
             let row = &mut self.of_beliefs[observer];

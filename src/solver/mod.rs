@@ -19,6 +19,7 @@ pub mod ip;
 mod live;
 mod options;
 mod outcome;
+mod prospects;
 mod run;
 mod tree;
 

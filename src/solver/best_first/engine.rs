@@ -4,6 +4,8 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::hash::Hash;
 
+use fixedbitset::FixedBitSet;
+
 use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::solver::engine::{Advance, Engine, Finding};
@@ -18,6 +20,8 @@ pub(super) enum Admission {
     Expand,
     /// It waits for the next round.
     Defer,
+    /// It leads nowhere.
+    Drop,
 }
 
 /// What is searched.
@@ -40,6 +44,12 @@ pub(super) trait SearchSpace: Send {
         key: Self::Key,
         found: &mut Vec<(Action, Self::Key)>,
     ) -> Result<(), LimitReached>;
+
+    /// Another value of a node that is `depth` actions from the root. Where there is one, every
+    /// other node is chosen by it.
+    fn second_value(&mut self, _key: Self::Key, _depth: u32) -> Option<i64> {
+        None
+    }
 
     /// Whether a node is expanded in this round. A space that never defers has one round.
     fn admit(&mut self, _key: Self::Key) -> Admission {
@@ -69,7 +79,16 @@ const EXPANSIONS_BETWEEN_CHECKS: u64 = 16;
 pub(super) struct BestFirst<S: SearchSpace> {
     space: S,
     tree: SearchTree<S::Key>,
+    /// How many actions lead to each node.
+    depths: Vec<u32>,
     open: Open,
+    /// The same nodes by their second values, once there are any (two lists that take turns: Röger
+    /// and Helmert 2010, "The more, the merrier: combining heuristic estimators for satisficing
+    /// planning", doi:10.1609/icaps.v20i1.13420).
+    second: Open,
+    is_turn_of_second: bool,
+    /// Nodes whose turn has come: they may still be in the other list.
+    taken: FixedBitSet,
     deferred: Open,
     pushed: u64,
     expansions: u64,
@@ -84,7 +103,11 @@ impl<S: SearchSpace> BestFirst<S> {
         let mut search = Self {
             space,
             tree: SearchTree::new(root),
+            depths: vec![0],
             open: BinaryHeap::new(),
+            second: BinaryHeap::new(),
+            is_turn_of_second: false,
+            taken: FixedBitSet::new(),
             deferred: BinaryHeap::new(),
             pushed: 0,
             expansions: 0,
@@ -102,9 +125,59 @@ impl<S: SearchSpace> BestFirst<S> {
         if self.space.is_goal(key) {
             self.end = Some(index);
         } else if let Some(value) = self.space.value(key) {
-            self.open.push(Reverse((value, self.pushed, index as u32)));
+            let entry = (value, self.pushed, index as u32);
+            self.open.push(Reverse(entry));
+            self.push_second(entry);
             self.pushed += 1;
         }
+    }
+
+    fn push_second(&mut self, (_, pushed, index): (i64, u64, u32)) {
+        let (key, depth) = (self.tree.key(index as usize), self.depths[index as usize]);
+        if let Some(value) = self.space.second_value(key, depth) {
+            self.second.push(Reverse((value, pushed, index)));
+        }
+    }
+
+    /// Opens all nodes by their second values too, as soon as there are any.
+    fn open_second(&mut self) {
+        if !self.second.is_empty() || self.space.second_value(self.tree.key(0), 0).is_none() {
+            return;
+        }
+        let taken = |index: u32| self.taken.contains(index as usize);
+        let open = self.open.iter().map(|Reverse(entry)| *entry);
+        let waiting: Vec<_> = open.filter(|&(_, _, index)| !taken(index)).collect();
+        waiting.into_iter().for_each(|entry| self.push_second(entry));
+    }
+
+    /// The next node whose turn it is, with its value and when it was opened.
+    fn pop(&mut self) -> Option<(i64, u64, u32)> {
+        loop {
+            let from_second = self.is_turn_of_second && !self.second.is_empty();
+            let list = if from_second { &mut self.second } else { &mut self.open };
+            let Reverse((mut value, pushed, index)) = list.pop()?;
+            self.taken.grow(self.tree.len());
+            if self.taken.put(index as usize) {
+                continue;
+            }
+            self.is_turn_of_second = !self.is_turn_of_second;
+            if from_second {
+                let Some(first) = self.space.value(self.tree.key(index as usize)) else { continue };
+                value = first;
+            }
+            return Some((value, pushed, index));
+        }
+    }
+
+    /// Opens the nodes that wait.
+    fn begin_round(&mut self) {
+        self.space.next_round();
+        std::mem::swap(&mut self.open, &mut self.deferred);
+        self.second.clear();
+        for Reverse((_, _, index)) in &self.open {
+            self.taken.remove(*index as usize);
+        }
+        self.open_second();
     }
 
     fn check_limits(&self) -> Result<(), LimitReached> {
@@ -115,8 +188,9 @@ impl<S: SearchSpace> BestFirst<S> {
         if !self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
             return Ok(());
         }
-        let open = size_of::<Reverse<(i64, u64, u32)>>() * (self.open.len() + self.deferred.len());
-        limits.check_bytes(self.space.bytes() + self.tree.bytes() + open as u64)
+        let entries = self.open.len() + self.second.len() + self.deferred.len();
+        let own = size_of::<Reverse<(i64, u64, u32)>>() * entries + 4 * self.depths.len();
+        limits.check_bytes(self.space.bytes() + self.tree.bytes() + own as u64)
     }
 
     fn expand(&mut self, index: usize) -> Result<(), LimitReached> {
@@ -127,6 +201,7 @@ impl<S: SearchSpace> BestFirst<S> {
         if expanded.is_ok() {
             for &(action, key) in &found {
                 if let Some(new) = self.tree.meet(key, index, action) {
+                    self.depths.push(self.depths[index] + 1);
                     self.push(new);
                     if self.end.is_some() {
                         break;
@@ -135,6 +210,7 @@ impl<S: SearchSpace> BestFirst<S> {
             }
         }
         self.found = found;
+        self.open_second();
         expanded
     }
 
@@ -149,18 +225,18 @@ impl<S: SearchSpace> Engine for BestFirst<S> {
             if let Some(plan) = self.plan() {
                 return Ok(Advance::Finished(Finding::plan(Status::Solved, plan)));
             }
-            let Some(next) = self.open.pop() else {
+            let Some(next) = self.pop() else {
                 if self.deferred.is_empty() {
                     return Ok(Advance::Finished(Finding::infeasible()));
                 }
-                self.space.next_round();
-                std::mem::swap(&mut self.open, &mut self.deferred);
+                self.begin_round();
                 continue;
             };
-            let Reverse((_, _, index)) = next;
+            let (_, _, index) = next;
             match self.space.admit(self.tree.key(index as usize)) {
                 Admission::Expand => self.expand(index as usize)?,
-                Admission::Defer => self.deferred.push(next),
+                Admission::Defer => self.deferred.push(Reverse(next)),
+                Admission::Drop => {}
             }
         }
         Ok(Advance::Working)

@@ -23,12 +23,17 @@ use crate::limits::{LimitReached, Limits};
 use crate::problem::{JointSpace, Node, Problem, Role};
 use crate::solver::engine::Engine;
 use crate::solver::outcome::Stats;
+use crate::solver::prospects::Prospects;
 use crate::solver::{Bounds, Options};
 use crate::task::Action;
 
 /// What a goal that cannot be reached any more counts as in a sum of values: more than goals in
 /// problems of the paper's size are away, so that ruling one out for good is worth the way.
 const UNREACHABLE_VALUE: i64 = 64;
+
+/// A search that has found no plan after so many expansions works out what can still become of
+/// beliefs, and drops the nodes that lead nowhere. Most find one earlier.
+const EXPANSIONS_BEFORE_PROSPECTS: u64 = 256;
 
 /// States with beliefs, and how many actions led to them where that matters.
 #[derive(Debug)]
@@ -38,6 +43,8 @@ struct Beliefs {
     approximations: Approximations,
     bounds: Bounds,
     horizon: Option<usize>,
+    expansions: u64,
+    prospects: Option<Prospects>,
     scratch: Vec<(Action, Node)>,
 }
 
@@ -53,12 +60,20 @@ pub(in crate::solver) fn engine(
         approximations: Approximations::new(),
         bounds: options.heeded_bounds(),
         horizon,
+        expansions: 0,
+        prospects: None,
         scratch: Vec::new(),
         joint,
     })
 }
 
 impl Beliefs {
+    /// Whether a node is known to lead nowhere.
+    fn is_hopeless(&mut self, node: Node) -> bool {
+        let prospects = self.prospects.as_mut();
+        prospects.is_some_and(|known| known.are_hopeless(&self.joint, &self.bounds, node))
+    }
+
     /// How far the goals are that the bounds ask for; none when they cannot be kept any more.
     fn value_of_bounds(&mut self, node: Node) -> Option<i64> {
         let problem = Arc::clone(self.joint.problem());
@@ -122,7 +137,16 @@ impl SearchSpace for Beliefs {
         if to_goal == UNREACHABLE {
             return None;
         }
+        if self.is_hopeless(node) {
+            return None;
+        }
         Some(i64::from(to_goal) + self.value_of_bounds(node)?)
+    }
+
+    /// How long a plan through the node is at least.
+    fn second_value(&mut self, (node, _): Self::Key, depth: u32) -> Option<i64> {
+        let to_goal = self.prospects.as_ref()?.distance(node.state)?;
+        Some(i64::from(depth + to_goal))
     }
 
     fn expand(
@@ -136,13 +160,19 @@ impl SearchSpace for Beliefs {
             Some(horizon) if steps as usize == horizon => return Ok(()),
             Some(_) => steps + 1,
         };
+        self.expansions += 1;
+        if self.expansions == EXPANSIONS_BEFORE_PROSPECTS {
+            self.prospects = Prospects::new(&mut self.joint)?;
+        }
         self.joint.expand(node, |_| true, &mut self.scratch)?;
         found.extend(self.scratch.iter().map(|&(action, node)| (action, (node, steps))));
         Ok(())
     }
 
     fn admit(&mut self, (node, steps): Self::Key) -> Admission {
-        if self.approximations.close(&self.joint, node, steps) {
+        if self.is_hopeless(node) {
+            Admission::Drop
+        } else if self.approximations.close(&self.joint, node, steps) {
             Admission::Expand
         } else {
             Admission::Defer
@@ -158,7 +188,8 @@ impl SearchSpace for Beliefs {
     }
 
     fn bytes(&self) -> u64 {
-        self.joint.bytes() + self.values.bytes() + self.approximations.bytes()
+        let prospects = self.prospects.as_ref().map_or(0, Prospects::bytes);
+        self.joint.bytes() + self.values.bytes() + self.approximations.bytes() + prospects
     }
 
     fn count(&self, stats: &mut Stats) {

@@ -8,6 +8,7 @@ use crate::problem::{JointSpace, Node, Problem};
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::live::Live;
 use crate::solver::outcome::{Progress, Stats};
+use crate::solver::prospects::Prospects;
 use crate::solver::tree::SearchTree;
 use crate::solver::{Bounds, Options};
 use crate::task::Action;
@@ -23,6 +24,7 @@ pub(in crate::solver) struct Closure {
     bounds: Bounds,
     pareto: bool,
     live: Option<Live>,
+    prospects: Option<Prospects>,
     tree: SearchTree<Node>,
     next: usize,
     pairs: Pairs,
@@ -39,6 +41,7 @@ impl Closure {
             bounds: options.heeded_bounds(),
             pareto: options.pareto,
             live: None,
+            prospects: None,
             next: 0,
             pairs: Pairs::default(),
             found: Vec::new(),
@@ -48,7 +51,8 @@ impl Closure {
     fn check_limits(&self) -> Result<(), LimitReached> {
         let limits = self.joint.limits();
         if self.next.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
-            limits.check_bytes(self.joint.bytes() + self.tree.bytes())?;
+            let prospects = self.prospects.as_ref().map_or(0, Prospects::bytes);
+            limits.check_bytes(self.joint.bytes() + self.tree.bytes() + prospects)?;
         }
         if self.next as u64 >= limits.expansions {
             return Err(LimitReached::Expansions { limit: limits.expansions });
@@ -74,14 +78,27 @@ impl Closure {
         !self.pareto && self.pairs.best().is_some_and(|(counts, _)| counts.difference() == most)
     }
 
+    /// Whether no plan that goes on from a node keeps the bounds, or none is better than the best
+    /// one known.
+    fn is_useless(&mut self, node: Node) -> bool {
+        let Some(prospects) = &mut self.prospects else { return false };
+        let best = self.pairs.best().map(|(counts, _)| counts.difference());
+        prospects.are_hopeless(&self.joint, &self.bounds, node)
+            || !self.pareto && best.is_some_and(|best| prospects.most(&self.joint, node) <= best)
+    }
+
     fn work(&mut self, live: &Live, budget: u64) -> Result<bool, LimitReached> {
         for _ in 0..budget {
             if self.next == self.tree.len() || self.cannot_be_beaten() {
                 return Ok(true);
             }
             self.check_limits()?;
-            let mut found = std::mem::take(&mut self.found);
             let node = self.tree.key(self.next);
+            if self.is_useless(node) {
+                self.next += 1;
+                continue;
+            }
+            let mut found = std::mem::take(&mut self.found);
             self.joint.expand(node, |state| live.contains(state), &mut found)?;
             for &(action, node) in &found {
                 if let Some(index) = self.tree.meet(node, self.next, action) {
@@ -105,6 +122,7 @@ impl Engine for Closure {
                     return Ok(Advance::Finished(self.finding()));
                 }
                 self.note(0);
+                self.prospects = Prospects::new(&mut self.joint)?;
                 live
             }
         };
