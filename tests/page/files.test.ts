@@ -116,6 +116,7 @@ test("text can still be dropped into the text field", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await openTab(page, "Document");
+    await page.locator("textarea").waitFor();
     const prevented = await page.evaluate(() => {
       const transfer = new DataTransfer();
       transfer.setData("text/plain", "x");

@@ -26,36 +26,27 @@ export function grid(change: Record<string, unknown> = {}): string {
 
 /** So many beliefs that no exact search over plans of every length ends while a test waits. */
 export function endless(): string {
-  const size = 24;
+  const size = 32;
   const cells = Array.from({ length: size * size }, (_, index) => [index % size, Math.floor(index / size)]);
+  const isWall = ([column = 0, row = 0]: number[]) => (column * 7 + row * 3) % 11 === 5 && column % 3 === 1;
+  const free = cells.filter((cell) => !isWall(cell));
   return grid({
     width: size,
     height: size,
-    walls: cells.filter(([column = 0, row = 0]) => (column * 7 + row * 3) % 11 === 5 && column % 3 === 1),
+    walls: cells.filter(isWall),
     start: [0, 0],
     goals: [
       { name: "near", cell: [2, 0] },
       { name: "far", cell: [size - 1, size - 1] },
+      { name: "low", cell: [0, size - 2] },
     ],
     true_goal: "near",
     observers: {
       adversarial: {
-        initial_belief: [
-          [0, 0],
-          [0, 1],
-          [2, 3],
-          [5, 8],
-        ],
+        initial_belief: free.filter(([column = 0, row = 0]) => column + row < 3),
         sensor: sensor.adversarial,
       },
-      cooperative: {
-        initial_belief: [
-          [0, 0],
-          [3, 2],
-          [6, 6],
-        ],
-        sensor: sensor.cooperative,
-      },
+      cooperative: { initial_belief: free, sensor: sensor.cooperative },
     },
   });
 }
