@@ -15,7 +15,7 @@ export function goalsForm(playground: Playground, document: GridworldDocument): 
       ${document.goals.map(
         ({ name, cell: [column, row] }, index) => html`<li>
           <label class="check">
-            <input type="radio" name="true-goal" .checked=${live(name === document.true_goal)} aria-label=${`${name} is the true goal`}
+            <input type="radio" name=${`${playground.workbench.id}-true-goal`} .checked=${live(name === document.true_goal)} aria-label=${`${name} is the true goal`}
               @change=${() => attempt(playground, "goals", chooseTrueGoal(document, index))} />
             <span aria-hidden="true">true</span>
           </label>

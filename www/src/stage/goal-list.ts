@@ -35,7 +35,7 @@ export function goalList(playground: Playground): TemplateResult | "" {
             }
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
           </th>
-          ${shownRoles.map((role) => survival(role, goal, guessing ? undefined : ends[index]))}
+          ${shownRoles.map((role) => survival(role, goal, guessing || playground.difference.value === null ? undefined : ends[index]))}
         </tr>`,
       )}
     </tbody>

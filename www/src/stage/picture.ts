@@ -8,9 +8,12 @@ import { isDelivery } from "./delivery/facts.js";
 import { board } from "./grid/board.js";
 import { isGrid } from "./grid/cells.js";
 
+/** A larger grid is only words: nobody could see its cells, and drawing them would hold up the page. */
+const MOST_CELLS = 4096;
+
 export function picture(name: BoardName, input: BoardInput, playground: Playground): TemplateResult {
   const { scene } = input;
-  if (isGrid(scene)) return board(name, { ...input, scene }, playground);
+  if (isGrid(scene) && scene.width * scene.height <= MOST_CELLS) return board(name, { ...input, scene }, playground);
   if (isDelivery(scene)) return deliveryBoard(name, { ...input, scene }, playground);
   return beliefText(name, input.shown);
 }

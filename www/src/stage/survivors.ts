@@ -1,5 +1,5 @@
 // The goals that an observer still thinks possible at the step shown.
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
 import type { Playground } from "../state/playground.js";
 import { possible, ruledOut, star } from "../view/icons.js";
@@ -7,6 +7,9 @@ import { called, type Role } from "../view/observers.js";
 import type { BoardInput } from "./board-input.js";
 import { goalViews } from "./goal-attributes.js";
 import { isGrid } from "./grid/cells.js";
+
+/** More goals than these are a list to scroll. */
+const MANY = 12;
 
 export function survivors(role: Role, { scene, shown }: BoardInput, { story, mode }: Playground): TemplateResult {
   const goals = goalViews(scene, shown);
@@ -16,7 +19,7 @@ export function survivors(role: Role, { scene, shown }: BoardInput, { story, mod
   return html`<p class="belief">
       ${glossaryLink("belief", "Believes")} in <b>${states}</b> ${noun}${states === 1 ? "" : "s"}: <b>${count}</b> of ${goals.length} goals ${glossaryLink("possible", "possible")}
     </p>
-    <ul class="survivors" aria-label="Goals for the ${called[role]}">
+    <ul class="survivors ${goals.length > MANY ? "many" : ""}" tabindex=${goals.length > MANY ? 0 : nothing} aria-label="Goals for the ${called[role]}">
       ${goals.map(
         (goal) => html`<li class=${goal.alive[role] ? "alive" : "dead"} data-goal=${goal.name}
           data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}

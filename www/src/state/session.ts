@@ -11,6 +11,9 @@ import type { Mode, OpenDocument, Result, Status } from "./result.js";
 import { Stopwatch } from "./stopwatch.js";
 import { Timeline } from "./timeline.js";
 
+/** What takes longer is seen to take long, and can be cancelled. */
+const SLOW_MS = 300;
+
 interface Job {
   document: OpenDocument;
   options: SolveOptions;
@@ -184,7 +187,6 @@ export abstract class Session {
 
   protected begin(): void {
     this.timeline.pause();
-    this.leaveGames();
     if (this.status.value !== "solving") this.stopwatch.start();
     batch(() => {
       this.error.value = null;
@@ -194,14 +196,20 @@ export abstract class Session {
 
   protected async perform({ document, options, at }: Job): Promise<void> {
     this.progress.value = null;
+    // The worker itself can say nothing in the middle of a long piece of work.
+    const waiting = setTimeout(() => {
+      this.slow.value = true;
+    }, SLOW_MS);
     const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) =>
       this.update(document, update, at),
     );
+    clearTimeout(waiting);
     if (ending.kind === "refused" && this.refit(document)) return;
     if (ending.kind !== "solved") return this.failed(ending);
     this.stopwatch.stop();
     const { scene, outcome, trace } = ending;
     batch(() => {
+      this.leaveGames();
       this.take(document, scene);
       this.result.value = { options, outcome };
       if (options.solver === "exact") this.optimum.value = this.result.value;
@@ -224,6 +232,7 @@ export abstract class Session {
       }
       this.slow.value = true;
       if (this.document.value === document) return;
+      this.leaveGames();
       this.take(document, update.scene);
       this.result.value = null;
       this.resultTrace = update.start;

@@ -72,6 +72,8 @@ async function solve(problem: Problem, options: SolveOptions, id: number): Promi
     shown = true;
   };
   const run = start(problem, options, show);
+  // One node of an integer program can take long: who waits for it should see what it is about, and can cancel.
+  if (options.solver === "ip") show();
   await inSlices(
     run,
     () => {
