@@ -1,3 +1,4 @@
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 
@@ -12,17 +13,61 @@ function policyInBuildOnly(): Plugin {
   };
 }
 
+/** Styles of the page around the element, and those that name the element themselves. */
+const ofThePage = /\/style\/(site|embed-page|colours)\.css$/;
+
+/** The element stands in other people's pages: its styles are for what is in it, and weigh as much as before. */
+function stylesInElement(): Plugin {
+  return {
+    name: "styles-in-element",
+    enforce: "pre",
+    transform(code, id) {
+      if (!/\/www\/src\/style\/[^/]+\.css$/.test(id) || ofThePage.test(id)) return null;
+      return { code: `:where(mo-copp-playground, .mo-copp-part) {\n${code}\n}\n`, map: null };
+    },
+  };
+}
+
+/** What the page's footer leads to. */
+function documentation(): Plugin {
+  const files = {
+    "docs/documents.txt": "docs/documents.md",
+    "docs/embedding.txt": "docs/embedding.md",
+    "docs/LICENSE-MIT.txt": "LICENSE-MIT",
+    "docs/LICENSE-APACHE.txt": "LICENSE-APACHE",
+  };
+  return {
+    name: "documentation",
+    generateBundle() {
+      for (const [fileName, source] of Object.entries(files)) {
+        this.emitFile({ type: "asset", fileName, source: readFileSync(here(source), "utf8") });
+      }
+    },
+  };
+}
+
+/** Other pages load the element by this name. */
+const EMBED = "mo-copp-playground";
+
 export default defineConfig({
   root: here("www"),
   // Relative addresses: the page works under any sub-path.
   base: "./",
-  plugins: [policyInBuildOnly()],
+  plugins: [policyInBuildOnly(), stylesInElement(), documentation()],
   worker: { format: "es" },
   build: {
     outDir: here("dist"),
     emptyOutDir: true,
     target: "es2022",
+    // Older than those that nest styles by themselves: then every rule is written out.
+    cssTarget: ["chrome105", "firefox110", "safari16"],
     // The polyfill is for browsers older than those that run module workers.
     modulePreload: { polyfill: false },
+    rollupOptions: {
+      input: { index: here("www/index.html"), embed: here("www/embed.html"), [EMBED]: here("www/src/embed.ts") },
+      output: {
+        entryFileNames: ({ name }) => (name === EMBED ? "[name].js" : "assets/[name]-[hash].js"),
+      },
+    },
   },
 });

@@ -16,6 +16,7 @@ pub mod domain;
 pub mod goal_difference;
 pub mod heuristic;
 pub mod limits;
+pub mod pddl;
 pub mod plan;
 pub mod problem;
 pub mod report;

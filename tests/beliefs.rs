@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use mo_copp::domain::gridworld::{GridGoal, GridObserver, MoveSymbols};
+use mo_copp::domain::grid::{GridGoal, GridObserver};
 use mo_copp::domain::{Delivery, Document, Gridworld, Observers};
 use mo_copp::plan::Plan;
 use mo_copp::problem::Problem;
@@ -123,8 +123,9 @@ fn plans_and_traces_that_are_too_long() {
     assert_eq!(error, "the plan: found 10001 actions, expected at most 10000");
     // 65,536 cells for each observer, and so for each of 2 × 31 beliefs: more than 4 million.
     let cells: Vec<[u32; 2]> = (0..1 << 16).map(|index| [index % 256, index / 256]).collect();
-    let sensor = MoveSymbols { stay: Some("north".to_owned()), ..MoveSymbols::axis() };
-    let observer = GridObserver { initial_belief: Some(cells), cameras: Vec::new(), sensor };
+    let mut sensor = Gridworld::paper_sensors().adversarial;
+    sensor.set("stay", "north");
+    let observer = GridObserver::new(Some(cells), sensor);
     let goal = |name: &str| GridGoal { name: name.to_owned(), cell: [1, 1] };
     let grid = Gridworld {
         width: 256,

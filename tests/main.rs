@@ -16,6 +16,7 @@ mod integer_programs;
 mod lengths;
 mod next_actions;
 mod observers;
+mod pddl;
 mod regressions;
 mod remedy;
 mod search;

@@ -4,8 +4,15 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** `[column, row]` in a grid, a name in an explicit problem, the facts that hold elsewhere. */
-export type State = [number, number] | string | string[];
+/** `[column, row]` in a gridworld, an object in the other formats with cells, a name in an explicit problem, the facts
+ * that hold elsewhere. */
+export type State = Cell | BoxState | RobotState | string | string[];
+/** `[column, row]` */
+export type Cell = [number, number];
+/** A state of box pushing. */
+export interface BoxState { robot: Cell; facing: "north" | "south" | "east" | "west"; box: Cell }
+/** A state of the recycling robot. */
+export interface RobotState { robot: Cell; battery: number; can: Cell | "held" }
 export type Role = "adversarial" | "cooperative";
 export type SolverName = "exact" | "ip" | "search" | "baseline" | "obfuscate" | "legible";
 export type EncodingName = "paper" | "belief-flow";
@@ -103,17 +110,25 @@ export interface Progress {
 }
 
 interface SceneBase {
-  goals: { name: string; cell?: [number, number] }[];
+  goals: { name: string; cell?: Cell }[];
   true_goal: string;
   observers: { name: string; role: Role }[];
 }
-export interface GridworldScene extends SceneBase {
-  format: "gridworld";
+interface GridScene extends SceneBase {
   width: number;
   height: number;
-  walls: [number, number][];
-  start: [number, number];
-  goals: { name: string; cell: [number, number] }[];
+  walls: Cell[];
+  goals: { name: string; cell: Cell }[];
+}
+export interface GridworldScene extends GridScene { format: "gridworld"; start: Cell }
+/** A goal's cell is where the box must be. */
+export interface BoxPushingScene extends GridScene { format: "box-pushing"; start: BoxState }
+/** A goal's cell is where the can must lie: a bin. Battery levels go from 0 to one less than there are. */
+export interface RecyclingRobotScene extends GridScene {
+  format: "recycling-robot";
+  charger: Cell;
+  battery_levels: number;
+  start: RobotState;
 }
 export interface DeliveryScene extends SceneBase {
   format: "delivery";
@@ -121,7 +136,7 @@ export interface DeliveryScene extends SceneBase {
   deliver: number;
 }
 export interface ExplicitScene extends SceneBase { format: "explicit" }
-export type Scene = GridworldScene | DeliveryScene | ExplicitScene;
+export type Scene = GridworldScene | BoxPushingScene | RecyclingRobotScene | DeliveryScene | ExplicitScene;
 "#;
 
 #[wasm_bindgen]

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
+use mo_copp::domain::generate::Domain;
+use mo_copp::limits::Limits;
 use mo_copp::solver::{Encoding, Horizon, MAX_HORIZON, Solver};
 
 /// Plans that a friend understands and an enemy does not.
@@ -15,6 +17,7 @@ Examples:
   mo-copp solve grid.json --solver ip --horizon 12 --json
   mo-copp solve grid.json --solver search --k 2 --j 2
   mo-copp trace grid.json --plan north,north,east
+  mo-copp plan domain.pddl task.pddl
 
 Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no plan found.")]
 pub struct CommandLine {
@@ -32,6 +35,8 @@ pub enum Command {
     Trace(TraceArgs),
     /// Print the integer program in LP format, for any other solver.
     Encode(EncodeArgs),
+    /// Find a plan for a task in PDDL that nobody watches.
+    Plan(PlanArgs),
     /// Print a random problem document.
     Generate(GenerateArgs),
 }
@@ -108,9 +113,9 @@ pub struct SolveArgs {
     pub limits: LimitArgs,
 }
 
-/// Where to stop.
+/// Where a search stops.
 #[derive(Debug, Args)]
-pub struct LimitArgs {
+pub struct SearchLimitArgs {
     /// Memory for states, beliefs and nodes, counted by contents; the process takes up to three
     /// times as much.
     #[arg(long = "memory-limit", value_name = "MIB", default_value_t = 640)]
@@ -118,6 +123,25 @@ pub struct LimitArgs {
     /// Expansions of the exact solver or of a search.
     #[arg(long = "expansion-limit", value_name = "N")]
     pub expansions: Option<u64>,
+}
+
+impl SearchLimitArgs {
+    /// The limits meant.
+    pub fn limits(&self) -> Limits {
+        Limits {
+            bytes: self.memory.saturating_mul(1 << 20),
+            expansions: self.expansions.unwrap_or(u64::MAX),
+            ..Limits::default()
+        }
+    }
+}
+
+/// Where to stop.
+#[derive(Debug, Args)]
+pub struct LimitArgs {
+    /// Where a search stops.
+    #[command(flatten)]
+    pub search: SearchLimitArgs,
     /// Branch-and-bound nodes of the integer program.
     #[arg(long = "node-limit", value_name = "N")]
     pub nodes: Option<u64>,
@@ -166,6 +190,28 @@ pub struct EncodeArgs {
     pub bounds: BoundsArgs,
 }
 
+/// Find a plan for a task in PDDL.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Greedy best-first search with the set-additive heuristic: the first plan found, one operator a line.
+Read are STRIPS domains with types, equality and negative preconditions.
+
+Examples:
+  mo-copp plan domain.pddl task.pddl
+  mo-copp plan domain.pddl task.pddl --json")]
+pub struct PlanArgs {
+    /// The domain; - for the standard input.
+    pub domain: PathBuf,
+    /// The task; - for the standard input.
+    pub task: PathBuf,
+    /// One JSON object instead of text.
+    #[arg(long)]
+    pub json: bool,
+    /// Where to stop.
+    #[command(flatten)]
+    pub limits: SearchLimitArgs,
+}
+
 /// Print a random problem.
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
@@ -174,28 +220,34 @@ The same seed gives the same document everywhere.
 
 Examples:
   mo-copp generate gridworld --seed 7 --width 6 --height 6 --walls 5
+  mo-copp generate recycling-robot --seed 7 --battery-levels 7
   mo-copp generate delivery --seed 7 --packages 5")]
 pub struct GenerateArgs {
-    /// What kind of problem.
-    pub domain: DomainName,
+    /// What kind of problem: gridworld, box-pushing, recycling-robot or delivery.
+    #[arg(value_parser = domain, value_name = "DOMAIN")]
+    pub domain: Domain,
     /// The seed of the random numbers.
     #[arg(long, value_name = "N")]
     pub seed: u64,
-    /// Columns of a gridworld [default: 8].
+    /// Columns of a grid [default: the paper's].
     #[arg(long, value_name = "N")]
     pub width: Option<u32>,
-    /// Rows of a gridworld [default: 8].
+    /// Rows of a grid [default: the paper's].
     #[arg(long, value_name = "N")]
     pub height: Option<u32>,
-    /// Candidate goals of a gridworld [default: 3].
+    /// Candidate goals in a grid [default: 3].
     #[arg(long, value_name = "N")]
     pub goals: Option<u32>,
-    /// Walls of a gridworld [default: 0].
+    /// Walls in a grid [default: 0].
     #[arg(long, value_name = "N")]
     pub walls: Option<u32>,
-    /// Cells in each initial belief of a gridworld [default: 11].
+    /// States in each initial belief over a grid [default: 11 cells of a gridworld, 4 ways a robot
+    /// with a box could look, 4 cells of a recycling robot].
     #[arg(long, value_name = "N")]
     pub belief: Option<u32>,
+    /// Levels of a recycling robot's battery [default: 5].
+    #[arg(long, value_name = "N")]
+    pub battery_levels: Option<u32>,
     /// Factories of a delivery [default: 3].
     #[arg(long, value_name = "N")]
     pub factories: Option<u32>,
@@ -205,15 +257,6 @@ pub struct GenerateArgs {
     /// How many packages to deliver [default: 2].
     #[arg(long, value_name = "N")]
     pub deliver: Option<u32>,
-}
-
-/// Kinds of problems that can be generated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum DomainName {
-    /// Cells, walls and moves.
-    Gridworld,
-    /// Factories, packages and a truck.
-    Delivery,
 }
 
 fn named<T: Copy>(
@@ -228,6 +271,10 @@ fn named<T: Copy>(
 
 fn solver(text: &str) -> Result<Solver, String> {
     named(text, &Solver::ALL, Solver::name, Solver::named(text))
+}
+
+fn domain(text: &str) -> Result<Domain, String> {
+    named(text, &Domain::ALL, Domain::name, Domain::named(text))
 }
 
 fn encoding(text: &str) -> Result<Encoding, String> {

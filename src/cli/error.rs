@@ -3,6 +3,7 @@
 use mo_copp::document::DocumentError;
 use mo_copp::domain::generate::GenerateError;
 use mo_copp::limits::LimitReached;
+use mo_copp::pddl::PddlError;
 use mo_copp::plan::PlanError;
 use mo_copp::solver::{OptionsError, SolveError};
 use thiserror::Error;
@@ -25,6 +26,14 @@ pub enum CliError {
         file: String,
         /// What is wrong.
         error: DocumentError,
+    },
+    /// A PDDL text that is wrong.
+    #[error("{file}: {error}")]
+    Pddl {
+        /// The file's name.
+        file: String,
+        /// What is wrong.
+        error: PddlError,
     },
     /// An argument that does not fit the problem.
     #[error("{0}")]

@@ -1,77 +1,118 @@
 //! `mo-copp generate`: prints a random document.
 
-use mo_copp::domain::Document;
+use mo_copp::domain::box_pushing::BoxPushingShape;
 use mo_copp::domain::delivery::DeliveryShape;
-use mo_copp::domain::generate::Generated;
+use mo_copp::domain::generate::{Domain, Drawn};
 use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::domain::recycling_robot::RecyclingRobotShape;
 use mo_copp::solver::OptionsError;
 
-use super::args::{DomainName, GenerateArgs};
+use super::args::GenerateArgs;
 use super::error::CliError;
 use super::print;
 
 /// Prints a document; the exit code.
 pub fn run(args: &GenerateArgs) -> Result<u8, CliError> {
-    let generated = match args.domain {
-        DomainName::Gridworld => gridworld(args)?,
-        DomainName::Delivery => delivery(args)?,
+    let drawn = match args.domain {
+        Domain::Gridworld => gridworld(args)?,
+        Domain::BoxPushing => box_pushing(args)?,
+        Domain::RecyclingRobot => recycling_robot(args)?,
+        Domain::Delivery => delivery(args)?,
     };
-    print(&(generated.document.to_json() + "\n"))?;
-    if generated.redrawn > 0 {
+    print(&(drawn.document.to_json() + "\n"))?;
+    if drawn.redraws > 0 {
         eprintln!(
-            "mo-copp: note: {} problems without a way to the goal were drawn before this one",
-            generated.redrawn
+            "mo-copp: note: {} problems without a plan were drawn before this one",
+            drawn.redraws
         );
     }
     Ok(0)
 }
 
+/// The sizes of every domain with cells.
+const OF_GRIDS: [&str; 5] = ["width", "height", "goals", "walls", "belief"];
+
 /// Sizes of another domain than the one asked for are a mistake.
-fn refuse(domain: &str, given: &[(&'static str, Option<u32>)]) -> Result<(), CliError> {
-    match given.iter().find(|(_, value)| value.is_some()) {
+fn allow(args: &GenerateArgs, sizes: &[&str]) -> Result<(), CliError> {
+    let given = [
+        ("width", args.width),
+        ("height", args.height),
+        ("goals", args.goals),
+        ("walls", args.walls),
+        ("belief", args.belief),
+        ("battery-levels", args.battery_levels),
+        ("factories", args.factories),
+        ("packages", args.packages),
+        ("deliver", args.deliver),
+    ];
+    let other = |&(option, value): &(&'static str, Option<u32>)| {
+        value.filter(|_| !sizes.contains(&option)).map(|value| (option, value))
+    };
+    match given.iter().find_map(other) {
         None => Ok(()),
         Some((option, value)) => Err(OptionsError {
             option,
-            found: value.unwrap_or_default().to_string(),
-            expected: format!("nothing, since a {domain} has no such size"),
+            found: value.to_string(),
+            expected: format!("nothing, since {} has no such size", args.domain.name()),
         }
         .into()),
     }
 }
 
-fn gridworld(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
-    refuse(
-        "gridworld",
-        &[("factories", args.factories), ("packages", args.packages), ("deliver", args.deliver)],
-    )?;
+fn gridworld(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    allow(args, &OF_GRIDS)?;
     let default = GridworldShape::default();
     let width = args.width.unwrap_or(default.width);
     let height = args.height.unwrap_or(default.height);
     let walls = args.walls.unwrap_or(default.walls);
-    // A small grid has room for a smaller belief.
-    let room = width.saturating_mul(height).saturating_sub(walls).max(1);
     let shape = GridworldShape {
         width,
         height,
         walls,
         goals: args.goals.unwrap_or(default.goals),
-        belief: args.belief.unwrap_or(default.belief.min(room)),
+        belief: args.belief.unwrap_or(default.belief.min(room(width, height, walls))),
     };
-    let Generated { document, redrawn } = shape.generate(args.seed)?;
-    Ok(Generated { document: Document::Gridworld(document), redrawn })
+    Ok(shape.generate(args.seed)?.any())
 }
 
-fn delivery(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
-    refuse(
-        "delivery",
-        &[
-            ("width", args.width),
-            ("height", args.height),
-            ("goals", args.goals),
-            ("walls", args.walls),
-            ("belief", args.belief),
-        ],
-    )?;
+/// How many cells are free, or 1 where the numbers make no sense: a small grid has room for a
+/// smaller belief.
+fn room(width: u32, height: u32, walls: u32) -> u32 {
+    width.saturating_mul(height).saturating_sub(walls).max(1)
+}
+
+fn box_pushing(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    allow(args, &OF_GRIDS)?;
+    let default = BoxPushingShape::default();
+    let shape = BoxPushingShape {
+        width: args.width.unwrap_or(default.width),
+        height: args.height.unwrap_or(default.height),
+        walls: args.walls.unwrap_or(default.walls),
+        goals: args.goals.unwrap_or(default.goals),
+        belief: args.belief.unwrap_or(default.belief),
+    };
+    Ok(shape.generate(args.seed)?.any())
+}
+
+fn recycling_robot(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    allow(args, &[&OF_GRIDS[..], &["battery-levels"]].concat())?;
+    let default = RecyclingRobotShape::default();
+    let width = args.width.unwrap_or(default.width);
+    let height = args.height.unwrap_or(default.height);
+    let walls = args.walls.unwrap_or(default.walls);
+    let shape = RecyclingRobotShape {
+        width,
+        height,
+        walls,
+        goals: args.goals.unwrap_or(default.goals),
+        belief: args.belief.unwrap_or(default.belief.min(room(width, height, walls))),
+        battery_levels: args.battery_levels.unwrap_or(default.battery_levels),
+    };
+    Ok(shape.generate(args.seed)?.any())
+}
+
+fn delivery(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    allow(args, &["factories", "packages", "deliver"])?;
     let default = DeliveryShape::default();
     let packages = args.packages.unwrap_or(default.packages);
     let shape = DeliveryShape {
@@ -79,6 +120,5 @@ fn delivery(args: &GenerateArgs) -> Result<Generated<Document>, CliError> {
         packages,
         deliver: args.deliver.unwrap_or(default.deliver),
     };
-    let Generated { document, redrawn } = shape.generate(args.seed)?;
-    Ok(Generated { document: Document::Delivery(document), redrawn })
+    Ok(shape.generate(args.seed)?.any())
 }

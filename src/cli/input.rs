@@ -42,6 +42,15 @@ pub fn text(path: &Path) -> Result<String, CliError> {
     })
 }
 
+/// Two files as texts, of which one may be the standard input.
+pub fn texts(one: &Path, other: &Path) -> Result<(String, String), CliError> {
+    if one.as_os_str() == "-" && other.as_os_str() == "-" {
+        let reason = "found it asked for twice, expected one file of the two".to_owned();
+        return Err(CliError::Read { file: "-".to_owned(), reason });
+    }
+    Ok((text(one)?, text(other)?))
+}
+
 /// The problem of a document.
 pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
     let text = text(path)?;

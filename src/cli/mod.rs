@@ -7,6 +7,7 @@ mod encode;
 mod error;
 mod generate;
 mod input;
+mod plan;
 mod progress;
 mod remedy;
 mod solve;
@@ -34,6 +35,7 @@ pub fn main() -> ExitCode {
         Command::Solve(args) => solve::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Encode(args) => encode::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Generate(args) => generate::run(&args),
     };
     match done {

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -23,9 +23,90 @@ const FIRST_SLICES: u64 = 2;
 /// integer program cannot be cut.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-enum Message {
-    Progress(Progress),
-    Done(Result<Outcome, mo_copp::solver::SolveError>),
+enum Message<P, T> {
+    Progress(P),
+    Done(T),
+}
+
+/// Where work says how far it is, and hears whether to stop.
+pub struct Watcher<P, T> {
+    sender: Sender<Message<P, T>>,
+    stop: Arc<AtomicBool>,
+    told: Instant,
+    slices: u64,
+}
+
+impl<P, T> Watcher<P, T> {
+    /// After each slice of work.
+    pub fn slice(&mut self, progress: impl FnOnce() -> P) -> ControlFlow<()> {
+        self.slices += 1;
+        // The first plan comes early; what follows may take long.
+        if self.slices <= FIRST_SLICES || self.told.elapsed() >= EVERY {
+            self.told = Instant::now();
+            // Nobody listens any more when the work has been left behind.
+            let _ = self.sender.send(Message::Progress(progress()));
+        }
+        if self.stop.load(Ordering::SeqCst) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}
+
+/// Does work on a thread of its own and shows how far it is. On Ctrl-C the work is asked to stop;
+/// where it does not for long, `abandoned` makes the answer of what was last heard of it. Also
+/// returned is what is set once somebody wants to stop.
+pub fn watched<P: Send + 'static, T: Send + 'static>(
+    work: impl FnOnce(&mut Watcher<P, T>) -> T + Send + 'static,
+    line: impl Fn(&P) -> String,
+    abandoned: impl FnOnce(Option<&P>) -> T,
+) -> (T, Arc<AtomicBool>) {
+    let begin = Instant::now();
+    let stop = Arc::new(AtomicBool::new(false));
+    let on_signal = Arc::clone(&stop);
+    // Without a handler Ctrl-C ends the process, which is no worse.
+    let _ = ctrlc::set_handler(move || {
+        if on_signal.swap(true, Ordering::SeqCst) {
+            // Asked twice: whoever it is does not want to wait for the best plan.
+            std::process::exit(i32::from(super::LIMIT));
+        }
+    });
+    let (sender, receiver) = channel();
+    let mut watcher = Watcher { sender, stop: Arc::clone(&stop), told: begin, slices: 0 };
+    thread::spawn(move || {
+        let done = work(&mut watcher);
+        let _ = watcher.sender.send(Message::Done(done));
+    });
+    let bar = ProgressBar::new_spinner();
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg} (Ctrl-C stops)") {
+        bar.set_style(style);
+    }
+    let mut last: Option<P> = None;
+    let mut stopped: Option<Instant> = None;
+    let done = loop {
+        match receiver.recv_timeout(EVERY) {
+            Ok(Message::Done(done)) => break done,
+            Ok(Message::Progress(progress)) => {
+                bar.set_message(line(&progress));
+                last = Some(progress);
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => break abandoned(last.as_ref()),
+        }
+        if begin.elapsed() >= QUIET {
+            bar.tick();
+        }
+        if stop.load(Ordering::SeqCst) {
+            let since = *stopped.get_or_insert_with(Instant::now);
+            bar.set_message("stopping with the best plan found; again to end at once");
+            if since.elapsed() >= PATIENCE {
+                break abandoned(last.as_ref());
+            }
+        }
+    };
+    bar.finish_and_clear();
+    (done, stop)
 }
 
 /// What came of it.
@@ -41,69 +122,13 @@ pub struct Solved {
 /// Solves a problem.
 pub fn solve_watched(problem: &Arc<Problem>, options: &Options) -> Result<Solved, CliError> {
     let begin = Instant::now();
-    let stop = Arc::new(AtomicBool::new(false));
-    let on_signal = Arc::clone(&stop);
-    // Without a handler Ctrl-C ends the process, which is no worse.
-    let _ = ctrlc::set_handler(move || {
-        if on_signal.swap(true, Ordering::SeqCst) {
-            // Asked twice: whoever it is does not want to wait for the best plan.
-            std::process::exit(i32::from(super::LIMIT));
-        }
-    });
-    let (sender, receiver) = channel();
-    {
-        let (problem, options, stop) = (Arc::clone(problem), options.clone(), Arc::clone(&stop));
-        thread::spawn(move || {
-            let mut told = Instant::now();
-            let mut slices = 0_u64;
-            let outcome = solve(problem, options, |run| {
-                slices += 1;
-                // The first plan comes early; what follows may take long.
-                if slices <= FIRST_SLICES || told.elapsed() >= EVERY {
-                    told = Instant::now();
-                    // Nobody listens any more when the run has been left behind.
-                    let _ = sender.send(Message::Progress(run.progress()));
-                }
-                if stop.load(Ordering::SeqCst) {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                }
-            });
-            let _ = sender.send(Message::Done(outcome));
-        });
-    }
-    let bar = ProgressBar::new_spinner();
-    if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg} (Ctrl-C stops)") {
-        bar.set_style(style);
-    }
-    let mut last: Option<Progress> = None;
-    let mut stopped: Option<Instant> = None;
-    let outcome = loop {
-        match receiver.recv_timeout(EVERY) {
-            Ok(Message::Done(outcome)) => break outcome?,
-            Ok(Message::Progress(progress)) => {
-                bar.set_message(line(&progress));
-                last = Some(progress);
-            }
-            Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => {
-                break abandoned(problem, options, last.as_ref())?;
-            }
-        }
-        if begin.elapsed() >= QUIET {
-            bar.tick();
-        }
-        if stop.load(Ordering::SeqCst) {
-            let since = *stopped.get_or_insert_with(Instant::now);
-            bar.set_message("stopping with the best plan found; again to end at once");
-            if since.elapsed() >= PATIENCE {
-                break abandoned(problem, options, last.as_ref())?;
-            }
-        }
-    };
-    bar.finish_and_clear();
-    Ok(Solved { outcome, seconds: begin.elapsed().as_secs_f64(), stop })
+    let (asked, wanted) = (Arc::clone(problem), options.clone());
+    let (outcome, stop) = watched(
+        move |watcher| solve(asked, wanted, |run| watcher.slice(|| run.progress())),
+        line,
+        |last| abandoned(problem, options, last),
+    );
+    Ok(Solved { outcome: outcome?, seconds: begin.elapsed().as_secs_f64(), stop })
 }
 
 fn line(progress: &Progress) -> String {

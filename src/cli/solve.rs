@@ -23,10 +23,8 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
         pareto: args.pareto,
         lengths: args.lengths,
         limits: Limits {
-            bytes: args.limits.memory.saturating_mul(1 << 20),
-            expansions: args.limits.expansions.unwrap_or(u64::MAX),
             nodes: args.limits.nodes.unwrap_or(u64::MAX),
-            ..Limits::default()
+            ..args.limits.search.limits()
         },
         ..Options::new(args.solver)
     };

@@ -1,8 +1,18 @@
 //! Random problem documents, the same for the same seed everywhere.
 
+use std::sync::Arc;
+
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use thiserror::Error;
+
+use super::Document;
+use super::box_pushing::BoxPushingShape;
+use super::delivery::DeliveryShape;
+use super::gridworld::GridworldShape;
+use super::recycling_robot::RecyclingRobotShape;
+use crate::problem::{Goal, Problem};
+use crate::task::StateSpace;
 
 /// Why no document can be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -25,18 +35,83 @@ pub enum GenerateError {
     },
 }
 
-/// A document and how many were drawn and thrown away before it because their true goal could not
-/// be reached.
+/// A random document, and how many were drawn and thrown away before it because their true goal
+/// could not be reached. Every generator returns this.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Generated<T> {
+pub struct Drawn<T = Document> {
     /// The document.
     pub document: T,
     /// How many were thrown away.
-    pub redrawn: u32,
+    pub redraws: u32,
+}
+
+impl<T: Into<Document>> Drawn<T> {
+    /// The same as a document of any format.
+    pub fn any(self) -> Drawn {
+        Drawn { document: self.document.into(), redraws: self.redraws }
+    }
+}
+
+/// The domains of which problems can be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Domain {
+    /// Cells, walls and moves.
+    Gridworld,
+    /// A robot that turns, moves and pushes a box.
+    BoxPushing,
+    /// A robot with a battery, a can and bins.
+    RecyclingRobot,
+    /// Factories, packages and a truck.
+    Delivery,
+}
+
+impl Domain {
+    /// All of them.
+    pub const ALL: [Self; 4] =
+        [Self::Gridworld, Self::BoxPushing, Self::RecyclingRobot, Self::Delivery];
+
+    /// The name: the format of its documents.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Gridworld => "gridworld",
+            Self::BoxPushing => "box-pushing",
+            Self::RecyclingRobot => "recycling-robot",
+            Self::Delivery => "delivery",
+        }
+    }
+
+    /// The domain of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|domain| domain.name() == name)
+    }
+
+    /// Draws a problem of the default size: the paper's, where the paper gives one.
+    ///
+    /// # Errors
+    ///
+    /// [`GenerateError::Unsolvable`] where no draw has a true goal that can be reached.
+    ///
+    /// ```
+    /// use mo_copp::domain::generate::Domain;
+    /// for domain in Domain::ALL {
+    ///     let drawn = domain.draw(7)?;
+    ///     assert_eq!(drawn, domain.draw(7)?);
+    ///     assert!(drawn.document.problem().is_ok());
+    /// }
+    /// # Ok::<(), mo_copp::domain::generate::GenerateError>(())
+    /// ```
+    pub fn draw(self, seed: u64) -> Result<Drawn, GenerateError> {
+        match self {
+            Self::Gridworld => GridworldShape::default().generate(seed).map(Drawn::any),
+            Self::BoxPushing => BoxPushingShape::default().generate(seed).map(Drawn::any),
+            Self::RecyclingRobot => RecyclingRobotShape::default().generate(seed).map(Drawn::any),
+            Self::Delivery => DeliveryShape::default().generate(seed).map(Drawn::any),
+        }
+    }
 }
 
 /// How often a problem is drawn before giving up.
-pub(super) const MAX_TRIES: u32 = 1000;
+const MAX_TRIES: u32 = 1000;
 
 /// The random numbers of a seed.
 pub(super) fn random(seed: u64) -> impl Rng {
@@ -61,4 +136,58 @@ pub(super) fn draw<T>(random: &mut impl Rng, items: &mut Vec<T>, count: usize) -
     (0..count.min(items.len()))
         .map(|_| items.swap_remove(random.random_range(0..items.len() as u32) as usize))
         .collect()
+}
+
+/// An initial belief: the start with others of the states at random, `count` in all, in order.
+pub(super) fn draw_belief<S: Copy + Ord>(
+    random: &mut impl Rng,
+    start: S,
+    states: &[S],
+    count: u32,
+) -> Vec<S> {
+    let mut others = states.iter().copied().filter(|state| *state != start).collect();
+    let mut belief = draw(random, &mut others, count as usize - 1);
+    belief.push(start);
+    belief.sort_unstable();
+    belief
+}
+
+/// Draws until something comes that is solvable.
+pub(super) fn until_solvable<T>(
+    mut attempt: impl FnMut() -> Option<T>,
+) -> Result<Drawn<T>, GenerateError> {
+    for redraws in 0..MAX_TRIES {
+        if let Some(document) = attempt() {
+            return Ok(Drawn { document, redraws });
+        }
+    }
+    Err(GenerateError::Unsolvable { tries: MAX_TRIES })
+}
+
+/// How many states are gone through before a goal counts as out of reach.
+const MOST_STATES: usize = 1_000_000;
+
+/// Whether the actor can reach its goal.
+pub(super) fn true_goal_is_reachable(problem: &Problem) -> bool {
+    reaches(problem, std::slice::from_ref(&problem.goals()[problem.true_goal()]))
+}
+
+/// Whether the actor can reach each of these goals, breadth first.
+pub(super) fn reaches(problem: &Problem, goals: &[Goal]) -> bool {
+    let task = problem.task();
+    let mut space = StateSpace::new(Arc::clone(task));
+    let mut missing: Vec<&Goal> = goals.iter().collect();
+    let mut next = space.intern(task.initial_state());
+    loop {
+        let words = space.words(next);
+        missing.retain(|goal| !task.satisfies(words, &goal.condition));
+        if missing.is_empty() {
+            return true;
+        }
+        space.expand(next);
+        match space.after(next) {
+            Some(state) if space.len() <= MOST_STATES => next = state,
+            _ => return false,
+        }
+    }
 }

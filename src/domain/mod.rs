@@ -4,18 +4,23 @@
 //! they are read, how a problem is made of them, and how a random one is drawn. Domains know no
 //! solver.
 
+pub mod box_pushing;
 pub mod delivery;
 pub mod explicit;
 pub mod generate;
+pub mod grid;
 pub mod gridworld;
 mod observers;
+pub mod recycling_robot;
 
 use serde::Serialize;
 
+pub use box_pushing::BoxPushing;
 pub use delivery::Delivery;
 pub use explicit::Explicit;
 pub use gridworld::Gridworld;
 pub use observers::Observers;
+pub use recycling_robot::RecyclingRobot;
 
 use crate::document::DocumentError;
 use crate::document::json::Json;
@@ -28,10 +33,44 @@ use crate::problem::Problem;
 pub enum Document {
     /// Cells, walls and moves.
     Gridworld(Gridworld),
+    /// A robot that turns, moves and pushes a box.
+    BoxPushing(BoxPushing),
+    /// A robot with a battery, a can and bins.
+    RecyclingRobot(RecyclingRobot),
     /// Figure 1 of the paper: factories, packages, a truck.
     Delivery(Delivery),
     /// States and transitions one by one.
     Explicit(Explicit),
+}
+
+impl From<Gridworld> for Document {
+    fn from(document: Gridworld) -> Self {
+        Self::Gridworld(document)
+    }
+}
+
+impl From<BoxPushing> for Document {
+    fn from(document: BoxPushing) -> Self {
+        Self::BoxPushing(document)
+    }
+}
+
+impl From<RecyclingRobot> for Document {
+    fn from(document: RecyclingRobot) -> Self {
+        Self::RecyclingRobot(document)
+    }
+}
+
+impl From<Delivery> for Document {
+    fn from(document: Delivery) -> Self {
+        Self::Delivery(document)
+    }
+}
+
+impl From<Explicit> for Document {
+    fn from(document: Explicit) -> Self {
+        Self::Explicit(document)
+    }
 }
 
 impl Document {
@@ -46,20 +85,21 @@ impl Document {
     /// let error = Document::parse(r#"{"format": "chess"}"#).unwrap_err();
     /// assert_eq!(
     ///     error.to_string(),
-    ///     r#"format: found "chess", expected gridworld, delivery or explicit"#
+    ///     r#"format: found "chess", expected gridworld, box-pushing, recycling-robot, delivery or explicit"#
     /// );
     /// ```
     pub fn parse(text: &str) -> Result<Self, DocumentError> {
-        const EXPECTED: &str = "gridworld, delivery or explicit";
+        const EXPECTED: &str = "gridworld, box-pushing, recycling-robot, delivery or explicit";
         let json = Json::parse(text)?;
         let reader = Reader::new(&json);
         let format = reader.entries()?.required("format", EXPECTED)?;
-        match format.value() {
-            Json::Text(name) if name == "gridworld" => {
-                Gridworld::read(&reader).map(Self::Gridworld)
-            }
-            Json::Text(name) if name == "delivery" => Delivery::read(&reader).map(Self::Delivery),
-            Json::Text(name) if name == "explicit" => Explicit::read(&reader).map(Self::Explicit),
+        let Json::Text(name) = format.value() else { return Err(format.expected(EXPECTED)) };
+        match name.as_str() {
+            "gridworld" => Gridworld::read(&reader).map(Self::Gridworld),
+            "box-pushing" => BoxPushing::read(&reader).map(Self::BoxPushing),
+            "recycling-robot" => RecyclingRobot::read(&reader).map(Self::RecyclingRobot),
+            "delivery" => Delivery::read(&reader).map(Self::Delivery),
+            "explicit" => Explicit::read(&reader).map(Self::Explicit),
             _ => Err(format.expected(EXPECTED)),
         }
     }
@@ -72,6 +112,8 @@ impl Document {
     pub fn problem(&self) -> Result<Problem, DocumentError> {
         match self {
             Self::Gridworld(gridworld) => gridworld.problem(),
+            Self::BoxPushing(pushing) => pushing.problem(),
+            Self::RecyclingRobot(robot) => robot.problem(),
             Self::Delivery(delivery) => delivery.problem(),
             Self::Explicit(explicit) => explicit.problem(),
         }

@@ -6,6 +6,7 @@
 
 pub mod goal_values;
 pub mod set_additive;
+mod supporter_sets;
 
 pub use goal_values::GoalValues;
 pub use set_additive::SetAdditive;

@@ -7,29 +7,70 @@
 //! facts. Unlike a sum it counts an operator that serves several facts once.
 //!
 //! Facts are settled in the order of their values, as in Dijkstra's algorithm, equal values in the
-//! order in which they were found. No set is stored: `π` is what can be reached from a fact over
-//! best supporters, so its size is counted by walking them, and where an operator has one
-//! precondition that does not hold yet it is the size there plus one.
+//! order in which they were found. Where an operator has one precondition that does not hold yet
+//! its set has one operator more than that one's; where it has several they are united
+//! (`supporter_sets`). In very large tasks some sets are not kept: `π` is what can be reached from
+//! a fact over best supporters, and is counted by walking them.
 
 use super::UNREACHABLE;
+use super::supporter_sets::SupporterSets;
 use crate::task::{Fact, Task};
-
-/// No supporter.
-const NONE: u32 = u32::MAX;
 
 /// The heuristic of one task, with room to work in.
 #[derive(Debug, Clone)]
 pub struct SetAdditive {
-    preconditions: Vec<Vec<u32>>,
-    add: Vec<Vec<u32>>,
-    required_by: Vec<Vec<u32>>,
+    operators: Operators,
+    values: Values,
+}
+
+/// What does not change: the task's operators without their delete effects, as numbers.
+#[derive(Debug, Clone)]
+struct Operators {
+    preconditions: Rows,
+    add: Rows,
+    /// The operators that have each fact as a precondition.
+    required_by: Rows,
     without_preconditions: Vec<u32>,
+    precondition_counts: Vec<u32>,
+}
+
+/// Rows of numbers, one after the other.
+#[derive(Debug, Clone)]
+struct Rows {
+    begins: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl Rows {
+    fn new(rows: impl Iterator<Item = Vec<u32>>) -> Self {
+        let (mut begins, mut items) = (vec![0], Vec::new());
+        for row in rows {
+            items.extend(row);
+            begins.push(items.len() as u32);
+        }
+        Self { begins, items }
+    }
+
+    fn row(&self, number: u32) -> &[u32] {
+        let number = number as usize;
+        &self.items[self.begins[number] as usize..self.begins[number + 1] as usize]
+    }
+}
+
+/// What is worked out for one state.
+#[derive(Debug, Clone)]
+struct Values {
+    /// The size of `π` of each fact.
     value: Vec<u32>,
+    /// The best supporter of each fact whose value is above 0 and known.
     supporter: Vec<u32>,
     settled: Vec<bool>,
     wanted: Vec<bool>,
+    /// How many preconditions of each operator are not settled.
     missing: Vec<u32>,
+    /// Facts by value, in the order in which they were found.
     buckets: Vec<Vec<u32>>,
+    sets: SupporterSets,
     mark: Vec<u32>,
     marks: u32,
     stack: Vec<u32>,
@@ -38,35 +79,37 @@ pub struct SetAdditive {
 impl SetAdditive {
     /// Prepares a task.
     pub fn new(task: &Task) -> Self {
+        let operators = task.operators();
         let numbers = |facts: &[Fact]| facts.iter().map(|fact| fact.index() as u32).collect();
-        let mut preconditions: Vec<Vec<u32>> = Vec::new();
-        let mut add: Vec<Vec<u32>> = Vec::new();
         let mut required_by = vec![Vec::new(); task.fact_count()];
-        let mut without_preconditions = Vec::new();
-        for (index, operator) in (0..).zip(task.operators()) {
+        for (number, operator) in (0..).zip(operators) {
             for fact in &operator.preconditions {
-                required_by[fact.index()].push(index);
+                required_by[fact.index()].push(number);
             }
-            if operator.preconditions.is_empty() {
-                without_preconditions.push(index);
-            }
-            preconditions.push(numbers(&operator.preconditions));
-            add.push(numbers(&operator.add));
         }
+        let counts: Vec<u32> = operators.iter().map(|op| op.preconditions.len() as u32).collect();
+        let free = (0..).zip(&counts).filter(|(_, count)| **count == 0);
+        let facts = task.fact_count();
         Self {
-            value: vec![UNREACHABLE; task.fact_count()],
-            supporter: vec![NONE; task.fact_count()],
-            settled: vec![false; task.fact_count()],
-            wanted: vec![false; task.fact_count()],
-            missing: vec![0; task.operators().len()],
-            buckets: Vec::new(),
-            mark: vec![0; task.operators().len()],
-            marks: 0,
-            stack: Vec::new(),
-            preconditions,
-            add,
-            required_by,
-            without_preconditions,
+            values: Values {
+                value: vec![UNREACHABLE; facts],
+                supporter: vec![0; facts],
+                settled: vec![false; facts],
+                wanted: vec![false; facts],
+                missing: counts.clone(),
+                buckets: vec![Vec::new()],
+                sets: SupporterSets::new(operators.len()),
+                mark: vec![0; operators.len()],
+                marks: 0,
+                stack: Vec::new(),
+            },
+            operators: Operators {
+                preconditions: Rows::new(operators.iter().map(|op| numbers(&op.preconditions))),
+                add: Rows::new(operators.iter().map(|op| numbers(&op.add))),
+                required_by: Rows::new(required_by.into_iter()),
+                without_preconditions: free.map(|(number, _)| number).collect(),
+                precondition_counts: counts,
+            },
         }
     }
 
@@ -75,57 +118,75 @@ impl SetAdditive {
     ///
     /// At most the sum over all operators of the size of their relaxed plans.
     pub fn evaluate(&mut self, task: &Task, words: &[u64], goals: &[&[Fact]], values: &mut [u32]) {
-        self.settle(task, words, goals);
+        let (operators, known) = (&self.operators, &mut self.values);
+        known.settle(operators, task, words, goals);
         for (goal, value) in goals.iter().zip(values) {
-            self.marks += 1;
-            self.stack.clear();
-            *value = 0;
-            for fact in *goal {
-                if self.value[fact.index()] == UNREACHABLE {
-                    *value = UNREACHABLE;
-                    break;
-                }
-                self.stack.push(fact.index() as u32);
-            }
-            if *value == 0 {
-                *value = self.count_marked();
-            }
+            let facts = goal.iter().map(|fact| fact.index() as u32);
+            let unreachable = |fact| known.value[fact as usize] == UNREACHABLE;
+            *value = if facts.clone().any(unreachable) {
+                UNREACHABLE
+            } else {
+                known.union_size(operators, facts)
+            };
         }
     }
+}
 
-    /// Counts the operators reached over best supporters from the facts on the stack, those
-    /// marked already left out.
-    fn count_marked(&mut self) -> u32 {
-        let mut count = 0;
+/// The supporters of those of some settled facts that do not hold in the state.
+fn supporters(
+    value: &[u32],
+    supporter: &[u32],
+    facts: impl Iterator<Item = u32>,
+) -> impl Iterator<Item = u32> {
+    facts.filter(|&fact| value[fact as usize] > 0).map(|fact| supporter[fact as usize])
+}
+
+impl Values {
+    /// The size of the union of `π` over some settled facts.
+    fn union_size(
+        &mut self,
+        operators: &Operators,
+        facts: impl Iterator<Item = u32> + Clone,
+    ) -> u32 {
+        let supporters = supporters(&self.value, &self.supporter, facts.clone());
+        self.sets.size_of_all(supporters).unwrap_or_else(|| self.walk(operators, facts))
+    }
+
+    /// The same by walking over best supporters.
+    fn walk(&mut self, operators: &Operators, facts: impl Iterator<Item = u32>) -> u32 {
+        self.marks += 1;
+        self.stack.clear();
+        self.stack.extend(facts);
+        let mut size = 0;
         while let Some(fact) = self.stack.pop() {
             let supporter = self.supporter[fact as usize];
-            if supporter != NONE && self.mark[supporter as usize] != self.marks {
+            if self.value[fact as usize] > 0 && self.mark[supporter as usize] != self.marks {
                 self.mark[supporter as usize] = self.marks;
-                count += 1;
-                self.stack.extend_from_slice(&self.preconditions[supporter as usize]);
+                size += 1;
+                self.stack.extend_from_slice(operators.preconditions.row(supporter));
             }
         }
-        count
+        size
     }
 
     /// The size of `π(a; s)` of an operator whose preconditions are settled.
-    fn plan_size(&mut self, operator: u32) -> u32 {
-        let preconditions = &self.preconditions[operator as usize];
+    fn plan_size(&mut self, operators: &Operators, operator: u32) -> u32 {
+        let preconditions = operators.preconditions.row(operator);
         let mut open = preconditions.iter().filter(|&&fact| self.value[fact as usize] > 0);
-        match (open.next(), open.next()) {
-            (None, _) => 1,
-            (Some(&only), None) => self.value[only as usize] + 1,
-            _ => {
-                self.marks += 1;
-                self.stack.clear();
-                self.stack.extend_from_slice(preconditions);
-                self.count_marked() + 1
+        let supporter = |fact: u32| self.supporter[fact as usize];
+        match (open.next(), open.next(), open.next()) {
+            (None, ..) => 1,
+            (Some(&only), None, _) => self.value[only as usize] + 1,
+            (Some(&one), Some(&other), None) => {
+                let size = self.sets.size_of_two(supporter(one), supporter(other));
+                size.unwrap_or_else(|| self.walk(operators, preconditions.iter().copied())) + 1
             }
+            _ => self.union_size(operators, preconditions.iter().copied()) + 1,
         }
     }
 
     /// Settles facts until those of all goals are, or no more can be.
-    fn settle(&mut self, task: &Task, words: &[u64], goals: &[&[Fact]]) {
+    fn settle(&mut self, operators: &Operators, task: &Task, words: &[u64], goals: &[&[Fact]]) {
         self.wanted.fill(false);
         let mut open = 0;
         for fact in goals.iter().copied().flatten() {
@@ -134,37 +195,34 @@ impl SetAdditive {
             *wanted = true;
         }
         self.value.fill(UNREACHABLE);
-        self.supporter.fill(NONE);
         self.settled.fill(false);
-        for (missing, preconditions) in self.missing.iter_mut().zip(&self.preconditions) {
-            *missing = preconditions.len() as u32;
-        }
-        if self.buckets.is_empty() {
-            self.buckets.push(Vec::new());
-        }
+        self.sets.clear();
+        self.missing.copy_from_slice(&operators.precondition_counts);
         for fact in task.facts_of(words) {
             self.value[fact.index()] = 0;
             self.buckets[0].push(fact.index() as u32);
         }
-        for index in 0..self.without_preconditions.len() {
-            self.reach(self.without_preconditions[index]);
+        for &operator in &operators.without_preconditions {
+            self.reach(operators, operator, 0);
         }
         let mut value = 0;
         while value < self.buckets.len() {
             let mut position = 0;
             while position < self.buckets[value].len() && open > 0 {
-                let fact = self.buckets[value][position] as usize;
+                let fact = self.buckets[value][position];
                 position += 1;
-                if self.settled[fact] {
+                if self.settled[fact as usize] {
                     continue;
                 }
-                self.settled[fact] = true;
-                open -= usize::from(self.wanted[fact]);
-                for index in 0..self.required_by[fact].len() {
-                    let operator = self.required_by[fact][index];
+                self.settled[fact as usize] = true;
+                open -= usize::from(self.wanted[fact as usize]);
+                if value > 0 {
+                    self.keep_set(operators, self.supporter[fact as usize]);
+                }
+                for &operator in operators.required_by.row(fact) {
                     self.missing[operator as usize] -= 1;
                     if self.missing[operator as usize] == 0 {
-                        self.reach(operator);
+                        self.reach(operators, operator, value as u32);
                     }
                 }
             }
@@ -173,24 +231,27 @@ impl SetAdditive {
         }
     }
 
-    /// Offers an operator as supporter of what it adds.
-    fn reach(&mut self, operator: u32) {
-        let adds_something_new = self.add[operator as usize]
-            .iter()
-            .any(|&fact| !self.settled[fact as usize] && self.value[fact as usize] > 1);
-        if !adds_something_new {
+    fn keep_set(&mut self, operators: &Operators, operator: u32) {
+        let preconditions = operators.preconditions.row(operator).iter().copied();
+        self.sets.keep(operator, supporters(&self.value, &self.supporter, preconditions));
+    }
+
+    /// Offers an operator as supporter of what it adds. Its last precondition was settled with
+    /// `value`, so that its set has at least one operator more.
+    fn reach(&mut self, operators: &Operators, operator: u32, value: u32) {
+        let add = operators.add.row(operator);
+        if add.iter().all(|&fact| self.value[fact as usize] <= value + 1) {
             return;
         }
-        let size = self.plan_size(operator);
-        for &fact in &self.add[operator as usize] {
-            let fact = fact as usize;
-            if size < self.value[fact] {
-                self.value[fact] = size;
-                self.supporter[fact] = operator;
+        let size = self.plan_size(operators, operator);
+        for &fact in add {
+            if size < self.value[fact as usize] {
+                self.value[fact as usize] = size;
+                self.supporter[fact as usize] = operator;
                 if self.buckets.len() <= size as usize {
                     self.buckets.resize_with(size as usize + 1, Vec::new);
                 }
-                self.buckets[size as usize].push(fact as u32);
+                self.buckets[size as usize].push(fact);
             }
         }
     }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 pub use joint_space::{JointSpace, Node, ProfileId};
-pub use naming::{StateLabel, StateNaming};
+pub use naming::{Part, StateLabel, StateNaming, Value};
 
 use crate::goal_difference::{GoalSet, goal_difference};
 use crate::sensor::Sensor;

@@ -1,6 +1,6 @@
 //! How states are shown: as their document names them where it does, as facts elsewhere.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::task::{Fact, Task};
 
@@ -14,6 +14,37 @@ pub enum StateLabel {
     Name(String),
     /// The facts that hold.
     Facts(Vec<String>),
+    /// What has a value, with it: an object in JSON.
+    Parts(#[serde(serialize_with = "as_object")] Vec<(&'static str, Value)>),
+}
+
+/// The value of a part of a state.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// Column and row of a grid.
+    Cell(u32, u32),
+    /// A number.
+    Number(u32),
+    /// A name.
+    Name(&'static str),
+}
+
+fn as_object<S: Serializer>(
+    parts: &[(&'static str, Value)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(parts.iter().map(|(key, value)| (key, value)))
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Cell(column, row) => write!(f, "[{column}, {row}]"),
+            Self::Number(number) => number.fmt(f),
+            Self::Name(name) => f.write_str(name),
+        }
+    }
 }
 
 impl std::fmt::Display for StateLabel {
@@ -22,12 +53,26 @@ impl std::fmt::Display for StateLabel {
             Self::Cell(column, row) => write!(f, "[{column}, {row}]"),
             Self::Name(name) => f.write_str(name),
             Self::Facts(facts) => write!(f, "{{{}}}", facts.join(", ")),
+            Self::Parts(parts) => {
+                let parts: Vec<String> =
+                    parts.iter().map(|(key, value)| format!("{key} {value}")).collect();
+                write!(f, "{{{}}}", parts.join(", "))
+            }
         }
     }
 }
 
+/// A part of a state that has a value: where something is, how full it is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Part {
+    /// What has the value.
+    pub key: &'static str,
+    /// The value that each fact means. The first one that holds counts.
+    pub values: Vec<(Fact, Value)>,
+}
+
 /// How the states of a problem are labelled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum StateNaming {
     /// The first exclusive group of facts stands for the cells of a grid, row by row.
     Cells {
@@ -38,11 +83,13 @@ pub enum StateNaming {
     Names,
     /// All facts that hold.
     Facts,
+    /// The parts of a state by their names.
+    Parts(Vec<Part>),
 }
 
 impl StateNaming {
     /// The label of a packed state. Constant for cells and names, linear in the facts elsewhere.
-    pub(crate) fn label(self, task: &Task, words: &[u64]) -> StateLabel {
+    pub(crate) fn label(&self, task: &Task, words: &[u64]) -> StateLabel {
         let names = |fact| task.fact_name(fact).to_owned();
         let first = || task.layout().group_value(words, 0).saturating_sub(1);
         match self {
@@ -51,6 +98,13 @@ impl StateNaming {
             Self::Cells { width } => {
                 let cell = first() as u32;
                 StateLabel::Cell(cell % width, cell / width)
+            }
+            Self::Parts(parts) => {
+                let of_part = |part: &Part| {
+                    let holds = |(fact, _): &&(Fact, Value)| task.layout().holds(words, *fact);
+                    part.values.iter().find(holds).map(|&(_, value)| (part.key, value))
+                };
+                StateLabel::Parts(parts.iter().filter_map(of_part).collect())
             }
         }
     }

@@ -1,12 +1,14 @@
 //! What other programs read: the JSON of the command line and the objects of the JavaScript API.
 
 mod advice;
+mod classical;
 mod request;
 mod scene;
 
 use serde::Serialize;
 
 pub use advice::{AdviceReport, RemedyReport};
+pub use classical::{PlanReport, PlanStats};
 pub use request::read_options;
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 

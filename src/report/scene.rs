@@ -3,9 +3,11 @@
 use serde::Serialize;
 
 use crate::domain::Document;
+use crate::domain::box_pushing::BoxState;
 use crate::domain::delivery::Factory;
-use crate::domain::gridworld::Cell;
-use crate::problem::Problem;
+use crate::domain::grid::{Cell, GridGoal};
+use crate::domain::recycling_robot::RobotState;
+use crate::problem::{Goal, Problem};
 
 /// A document as something to look at. Names are texts, never markup.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -55,6 +57,32 @@ pub enum Setting {
         /// Where the agent starts.
         start: Cell,
     },
+    /// A grid with a box.
+    BoxPushing {
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// Cells that nothing can enter.
+        walls: Vec<Cell>,
+        /// Where robot and box are at first, and where the robot looks.
+        start: BoxState,
+    },
+    /// A grid with a charger, bins and a can.
+    RecyclingRobot {
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// Cells that nobody can enter.
+        walls: Vec<Cell>,
+        /// Where the battery can be charged.
+        charger: Cell,
+        /// How many levels the battery has, 0 among them.
+        battery_levels: u32,
+        /// Where robot and can are at first, and how full the battery is.
+        start: RobotState,
+    },
     /// Factories and packages.
     Delivery {
         /// The factories.
@@ -69,17 +97,36 @@ pub enum Setting {
 impl Scene {
     /// The scene of a document and the problem made of it.
     pub fn new(document: &Document, problem: &Problem) -> Self {
-        let cells: Vec<Option<Cell>> = match document {
-            Document::Gridworld(grid) => grid.goals.iter().map(|goal| Some(goal.cell)).collect(),
-            _ => vec![None; problem.goals().len()],
+        let in_cells: &[GridGoal] = match document {
+            Document::Gridworld(grid) => &grid.goals,
+            Document::BoxPushing(pushing) => &pushing.goals,
+            Document::RecyclingRobot(robot) => &robot.goals,
+            Document::Delivery(_) | Document::Explicit(_) => &[],
         };
-        let goals = problem.goals().iter().zip(cells);
+        let goal = |(index, goal): (usize, &Goal)| SceneGoal {
+            name: goal.name.clone(),
+            cell: in_cells.get(index).map(|goal| goal.cell),
+        };
         let setting = match document {
             Document::Gridworld(grid) => Setting::Gridworld {
                 width: grid.width,
                 height: grid.height,
                 walls: grid.walls.clone(),
                 start: grid.start,
+            },
+            Document::BoxPushing(pushing) => Setting::BoxPushing {
+                width: pushing.width,
+                height: pushing.height,
+                walls: pushing.walls.clone(),
+                start: pushing.start,
+            },
+            Document::RecyclingRobot(robot) => Setting::RecyclingRobot {
+                width: robot.width,
+                height: robot.height,
+                walls: robot.walls.clone(),
+                charger: robot.charger,
+                battery_levels: robot.battery_levels,
+                start: robot.start,
             },
             Document::Delivery(delivery) => Setting::Delivery {
                 factories: delivery.factories.clone(),
@@ -88,7 +135,7 @@ impl Scene {
             Document::Explicit(_) => Setting::Explicit,
         };
         Self {
-            goals: goals.map(|(goal, cell)| SceneGoal { name: goal.name.clone(), cell }).collect(),
+            goals: problem.goals().iter().enumerate().map(goal).collect(),
             true_goal: problem.goals()[problem.true_goal()].name.clone(),
             observers: problem
                 .observers()

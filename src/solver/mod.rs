@@ -10,9 +10,10 @@
 //!
 //! All take one type of [`Options`] and give one type of [`Outcome`]; a [`Run`] is any of them at
 //! work, advanced in slices so that its progress can be shown and it can be stopped with the best
-//! plan kept.
+//! plan kept. A [`ClassicalRun`] is the baseline on a task that nobody watches.
 
 pub mod best_first;
+mod classical;
 mod engine;
 pub mod exact;
 pub mod ip;
@@ -24,6 +25,7 @@ mod run;
 mod shortest;
 mod tree;
 
+pub use classical::{ClassicalOutcome, ClassicalRun};
 pub use options::{
     Bounds, Encoding, Horizon, MAX_HORIZON, MAX_LENGTHS, Options, OptionsError, Solver, Watched,
 };

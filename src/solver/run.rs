@@ -115,7 +115,9 @@ impl Run {
             (Solver::Ip, horizon) => {
                 Box::new(ip::IntegerProgram::new(problem, options, horizon.unwrap_or(0))?)
             }
-            (Solver::Baseline, horizon) => Box::new(baseline::engine(&problem, options, horizon)),
+            (Solver::Baseline, horizon) => {
+                Box::new(baseline::engine(problem.task(), options.limits, horizon))
+            }
             (Solver::Search | Solver::Obfuscate | Solver::Legible, horizon) => {
                 Box::new(search::engine(problem, options, horizon))
             }

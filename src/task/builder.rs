@@ -98,7 +98,7 @@ impl TaskBuilder {
     }
 
     /// Declares that at most one of these facts holds in any state; [`build`](Self::build) proves
-    /// it. A fact is in one such group at most.
+    /// it. A fact that is in several such groups is packed with those of the first.
     pub fn exclusive(&mut self, group: Vec<Fact>) {
         self.groups.push(group);
     }
@@ -110,13 +110,25 @@ impl TaskBuilder {
     /// [`TaskError`] where an action could have two successors in a state, or facts that were
     /// declared exclusive are not.
     pub fn build(self, initial: &[Fact], goal: &[Fact]) -> Result<Task, TaskError> {
-        let layout = Layout::new(self.fact_names.len(), &self.groups);
+        let groups_of = self.groups_of();
+        let mut held = vec![None; self.groups.len()];
+        for &fact in initial {
+            for &group in &groups_of[fact.index()] {
+                match held[group as usize].replace(fact) {
+                    Some(other) if other != fact => {
+                        return Err(self.not_exclusive(other, fact, "the initial state"));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        for operator in &self.operators {
+            self.check_groups(&groups_of, operator)?;
+        }
+        let layout = Layout::new(self.fact_names.len(), &self.fields());
         let initial_state = layout
             .pack(initial)
             .map_err(|(first, second)| self.not_exclusive(first, second, "the initial state"))?;
-        for operator in &self.operators {
-            self.check_groups(&layout, operator)?;
-        }
         self.check_actions(&layout)?;
         let successors = SuccessorGenerator::new(&layout, &self.operators);
         Ok(Task {
@@ -138,62 +150,90 @@ impl TaskBuilder {
         }
     }
 
-    /// An operator that adds a fact of a group must take the fact that held before away: it
-    /// requires one of the group, and either adds that same one or deletes it.
-    fn check_groups(&self, layout: &Layout, operator: &Operator) -> Result<(), TaskError> {
-        for (position, &fact) in operator.add.iter().enumerate() {
-            let group = layout.group(fact);
-            let of_group = |other: &&Fact| layout.group(**other) == group;
-            let name = &self.action_names[operator.action.index()];
-            if let Some(&second) = operator.add[position + 1..].iter().find(of_group) {
-                return Err(self.not_exclusive(fact, second, name));
+    /// The groups of each fact.
+    fn groups_of(&self) -> Vec<Vec<u32>> {
+        let mut groups_of = vec![Vec::new(); self.fact_names.len()];
+        for (number, group) in (0..).zip(&self.groups) {
+            for fact in group {
+                groups_of[fact.index()].push(number);
             }
-            let single = self.groups.len() <= group;
-            let held = operator.preconditions.iter().find(of_group);
-            let replaced = held.is_some_and(|held| *held == fact || operator.delete.contains(held));
-            if !single && !replaced {
-                let members = &self.groups[group];
-                let other = members.iter().find(|other| **other != fact).unwrap_or(&fact);
-                if members.len() > 1 {
-                    return Err(self.not_exclusive(fact, *other, name));
+        }
+        groups_of
+    }
+
+    /// The groups without the facts that are in an earlier one.
+    fn fields(&self) -> Vec<Vec<Fact>> {
+        let mut taken = vec![false; self.fact_names.len()];
+        let mut fields = self.groups.clone();
+        for field in &mut fields {
+            field.retain(|fact| !std::mem::replace(&mut taken[fact.index()], true));
+        }
+        fields.retain(|field| !field.is_empty());
+        fields
+    }
+
+    /// An operator that adds a fact of a group must add no other of it and take the one that held
+    /// before away: it requires one of the group, and either adds that same one or deletes it.
+    /// Where it requires two of the group it is never applicable.
+    fn check_groups(&self, groups_of: &[Vec<u32>], operator: &Operator) -> Result<(), TaskError> {
+        for (position, &fact) in operator.add.iter().enumerate() {
+            for &group in &groups_of[fact.index()] {
+                let of_group = |other: &&Fact| groups_of[other.index()].contains(&group);
+                let mut held = operator.preconditions.iter().filter(of_group);
+                let second = match (held.next(), held.next()) {
+                    (Some(_), Some(_)) => continue,
+                    (Some(held), None) if *held == fact || operator.delete.contains(held) => {
+                        operator.add[position + 1..].iter().find(of_group)
+                    }
+                    _ => self.groups[group as usize].iter().find(|other| **other != fact),
+                };
+                if let Some(&second) = second {
+                    let name = &self.action_names[operator.action.index()];
+                    return Err(self.not_exclusive(fact, second, name));
                 }
             }
         }
         Ok(())
     }
 
-    /// The operators of an action must differ in what they require of the groups that all of them
-    /// ask for.
+    /// No two operators of an action may be applicable in one state.
     fn check_actions(&self, layout: &Layout) -> Result<(), TaskError> {
         let mut by_action: Vec<Vec<&Operator>> = vec![Vec::new(); self.action_names.len()];
         for operator in &self.operators {
             by_action[operator.action.index()].push(operator);
         }
-        for (index, operators) in by_action.iter().enumerate() {
-            let Some((first, rest)) = operators.split_first() else { continue };
-            if rest.is_empty() {
-                continue;
-            }
-            let value = |operator: &Operator, group| {
-                let asked =
-                    operator.preconditions.iter().find(|fact| layout.group(**fact) == group);
-                asked.map(|fact| layout.value(*fact))
-            };
-            let mut groups: Vec<usize> =
-                first.preconditions.iter().map(|fact| layout.group(*fact)).collect();
-            groups.retain(|&group| rest.iter().all(|operator| value(operator, group).is_some()));
-            let requirement = |operator: &&Operator| -> Vec<Option<usize>> {
-                groups.iter().map(|&group| value(operator, group)).collect()
-            };
-            let mut requirements: Vec<_> = operators.iter().map(requirement).collect();
-            requirements.sort_unstable();
-            if requirements.windows(2).any(|pair| pair[0] == pair[1]) {
-                let action = self.action_names[index].clone();
-                return Err(TaskError::AmbiguousAction { action });
+        match by_action.iter_mut().position(|operators| !exclude_each_other(layout, operators)) {
+            None => Ok(()),
+            Some(index) => {
+                Err(TaskError::AmbiguousAction { action: self.action_names[index].clone() })
             }
         }
-        Ok(())
     }
+}
+
+/// Whether at most one of these operators is applicable in any state, as far as the groups tell:
+/// split by the groups that all of them ask for, then each part by the groups that all of the part
+/// ask for, and so on, until operators stand alone.
+fn exclude_each_other(layout: &Layout, operators: &mut [&Operator]) -> bool {
+    let [first, rest @ ..] = &*operators else { return true };
+    if rest.is_empty() {
+        return true;
+    }
+    let value = |operator: &Operator, group| {
+        let asked = operator.preconditions.iter().find(|fact| layout.group(**fact) == group);
+        asked.map(|fact| layout.value(*fact))
+    };
+    let mut groups: Vec<usize> =
+        first.preconditions.iter().map(|fact| layout.group(*fact)).collect();
+    groups.retain(|&group| rest.iter().all(|operator| value(operator, group).is_some()));
+    let asked = |operator: &Operator| -> Vec<Option<usize>> {
+        groups.iter().map(|&group| value(operator, group)).collect()
+    };
+    let count = operators.len();
+    operators.sort_by_cached_key(|operator| asked(operator));
+    operators
+        .chunk_by_mut(|a, b| asked(a) == asked(b))
+        .all(|part| part.len() < count && exclude_each_other(layout, part))
 }
 
 #[cfg(test)]
@@ -214,6 +254,46 @@ mod tests {
         task.operator("go", &[a], &[b], &[a]);
         task.operator("go", &[b], &[a], &[b]);
         assert!(task.build(&[a], &[b]).is_ok());
+    }
+
+    /// Walking and pushing ask for the same cell of the robot, then for different things in front.
+    #[test]
+    fn operators_may_differ_in_what_a_part_of_them_asks_for() {
+        let mut task = TaskBuilder::default();
+        let robot: Vec<Fact> = (0..2).map(|cell| task.fact(format!("robot {cell}"))).collect();
+        let clear: Vec<Fact> = (0..2).map(|cell| task.fact(format!("clear {cell}"))).collect();
+        let boxed: Vec<Fact> = (0..2).map(|cell| task.fact(format!("box {cell}"))).collect();
+        task.exclusive(robot.clone());
+        task.exclusive(vec![clear[0], boxed[0]]);
+        task.exclusive(vec![clear[1], boxed[1]]);
+        for (from, to) in [(0, 1), (1, 0)] {
+            task.operator("go", &[robot[from], clear[to]], &[robot[to]], &[robot[from]]);
+            task.operator("go", &[robot[from], boxed[to]], &[], &[]);
+        }
+        assert!(task.clone().build(&[robot[0], clear[0], clear[1]], &[]).is_ok());
+        task.operator("go", &[robot[0]], &[], &[]);
+        let error = task.build(&[robot[0]], &[]).map(|_| ()).unwrap_err();
+        assert_eq!(error, TaskError::AmbiguousAction { action: "go".into() });
+    }
+
+    #[test]
+    fn a_fact_of_two_groups_is_packed_with_the_first() {
+        // A block lies on the table or is held; the hand is empty or holds it.
+        let mut task = TaskBuilder::default();
+        let [table, held, empty] = ["on the table", "held", "empty hand"].map(|f| task.fact(f));
+        task.exclusive(vec![table, held]);
+        task.exclusive(vec![held, empty]);
+        task.operator("take", &[table, empty], &[held], &[table, empty]);
+        task.operator("drop", &[held], &[table, empty], &[held]);
+        let built = task.clone().build(&[table, empty], &[held]).unwrap();
+        assert_eq!(built.layout().group_count(), 2);
+        assert_eq!(built.layout().group(table), built.layout().group(held));
+        // The second group is proved all the same.
+        task.operator("grab", &[table], &[held], &[table]);
+        let error = task.clone().build(&[table, empty], &[held]).map(|_| ()).unwrap_err();
+        assert!(matches!(error, TaskError::NotExclusive { ref place, .. } if place == "grab"));
+        let error = task.build(&[held, empty], &[held]).map(|_| ()).unwrap_err();
+        assert!(error.to_string().contains("the initial state"), "{error}");
     }
 
     #[test]

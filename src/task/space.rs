@@ -117,6 +117,12 @@ impl StateSpace {
         self.table.find(hash(words), |&id| self.words(StateId(id)) == words).map(|&id| StateId(id))
     }
 
+    /// The state that was met next after one, where there is one. Expanding the states in this
+    /// order goes through the space breadth first.
+    pub fn after(&self, id: StateId) -> Option<StateId> {
+        (id.index() + 1 < self.len()).then_some(StateId(id.0 + 1))
+    }
+
     fn intern_words(&mut self, words: &[u64]) -> StateId {
         let width = words.len();
         let all = &self.words;

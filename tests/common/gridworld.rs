@@ -1,13 +1,11 @@
 //! Random gridworlds, and what they mean as tables, worked out from their description.
 
-use mo_copp::domain::gridworld::{GridGoal, GridObserver, MoveSymbols};
+use mo_copp::domain::grid::{Cell, GridGoal, GridObserver, Symbols};
 use mo_copp::domain::{Gridworld, Observers};
 use mo_copp::problem::Role;
 
 use super::dice::Dice;
 use super::table::{Table, Watcher, set, symbol};
-
-type Cell = [u32; 2];
 
 /// Walls, stay, cameras, initial beliefs: each now and then.
 pub fn random(dice: &mut Dice, longest_side: usize) -> Gridworld {
@@ -24,7 +22,7 @@ pub fn random(dice: &mut Dice, longest_side: usize) -> Gridworld {
     let goals = (1..=goals)
         .map(|number| GridGoal { name: format!("G{number}"), cell: dice.pick(&free) })
         .collect();
-    let mut observer = |sensor: MoveSymbols| {
+    let mut observer = |mut sensor: Symbols| {
         let some = |dice: &mut Dice, chance| {
             let cells = free.iter().filter(|_| dice.percent(chance));
             cells.copied().collect::<Vec<Cell>>()
@@ -37,20 +35,20 @@ pub fn random(dice: &mut Dice, longest_side: usize) -> Gridworld {
             cells
         });
         let cameras = if dice.percent(40) { some(dice, 20) } else { Vec::new() };
-        let mut sensor = sensor;
         if dice.percent(30) {
             let names = ["p", "q", "r"];
-            for name in [&mut sensor.north, &mut sensor.south, &mut sensor.east, &mut sensor.west] {
-                dice.pick(&names).clone_into(name);
+            for action in ["north", "south", "east", "west"] {
+                sensor.set(action, dice.pick(&names));
             }
         }
         if stay || dice.percent(10) {
-            sensor.stay = Some(dice.pick(&["still", "vertical", "north-east"]).to_owned());
+            sensor.set("stay", dice.pick(&["still", "vertical", "north-east"]));
         }
         GridObserver { initial_belief, cameras, sensor }
     };
-    let adversarial = observer(MoveSymbols::axis());
-    let cooperative = observer(MoveSymbols::diagonal());
+    let sensors = Gridworld::paper_sensors();
+    let adversarial = observer(sensors.adversarial);
+    let cooperative = observer(sensors.cooperative);
     Gridworld {
         width: width as u32,
         height: height as u32,
@@ -87,19 +85,12 @@ pub fn table(grid: &Gridworld) -> Table {
         targets.iter().map(|target| place(target.as_ref()?)).collect()
     };
     let actions = &["north", "south", "east", "west", "stay"][..if grid.stay { 5 } else { 4 }];
-    let watcher = |role, observer: &GridObserver| {
+    let watcher = |role, observer: &GridObserver<Cell>| {
         let mut symbols = Vec::new();
-        let seen = &observer.sensor;
         let sensor = actions
             .iter()
             .map(|&action| {
-                let name = match action {
-                    "north" => &seen.north,
-                    "south" => &seen.south,
-                    "east" => &seen.east,
-                    "west" => &seen.west,
-                    _ => seen.stay.as_ref().unwrap(),
-                };
+                let name = observer.sensor.get(action).unwrap();
                 let of_cell = |cell: &Cell| {
                     if observer.cameras.contains(cell) {
                         symbol(&mut symbols, &format!("seen at {},{}", cell[0], cell[1]))

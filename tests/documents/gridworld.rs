@@ -202,7 +202,7 @@ fn observers() {
         ),
         (
             Drop("/observers/adversarial/sensor"),
-            "observers.adversarial.sensor: found nothing, expected an object with a symbol for each move",
+            "observers.adversarial.sensor: found nothing, expected an object with a symbol for each action",
         ),
         (
             Drop("/observers/adversarial/sensor/west"),

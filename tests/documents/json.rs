@@ -29,16 +29,25 @@ fn texts_that_are_no_documents() {
         ("[]", "document: found [], expected an object"),
         ("3", "document: found 3, expected an object"),
         ("null", "document: found null, expected an object"),
-        ("{}", "format: found nothing, expected gridworld, delivery or explicit"),
-        ("{\"format\": 3}", "format: found 3, expected gridworld, delivery or explicit"),
-        ("{\"format\": null}", "format: found null, expected gridworld, delivery or explicit"),
+        (
+            "{}",
+            "format: found nothing, expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+        ),
+        (
+            "{\"format\": 3}",
+            "format: found 3, expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+        ),
+        (
+            "{\"format\": null}",
+            "format: found null, expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+        ),
         (
             "{\"format\": \"chess\"}",
-            "format: found \"chess\", expected gridworld, delivery or explicit",
+            "format: found \"chess\", expected gridworld, box-pushing, recycling-robot, delivery or explicit",
         ),
         (
             "{\"Format\": \"gridworld\"}",
-            "format: found nothing, expected gridworld, delivery or explicit",
+            "format: found nothing, expected gridworld, box-pushing, recycling-robot, delivery or explicit",
         ),
     ];
     let mut wrong = Vec::new();

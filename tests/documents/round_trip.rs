@@ -1,6 +1,7 @@
 //! A document written and read again is the same, and drawing is deterministic.
 
 use mo_copp::domain::delivery::DeliveryShape;
+use mo_copp::domain::generate::Domain;
 use mo_copp::domain::gridworld::GridworldShape;
 use mo_copp::domain::{Delivery, Document};
 
@@ -81,4 +82,39 @@ fn shapes_that_make_no_sense() {
     assert_eq!(found, "packages: found 2, expected a whole number from 3 to 64");
     let found = error(DeliveryShape { deliver: 6, ..shape });
     assert_eq!(found, "deliver: found 6, expected a whole number from 1 to 5");
+}
+
+#[test]
+fn every_domain_is_drawn_by_its_name() {
+    for domain in Domain::ALL {
+        assert_eq!(Domain::named(domain.name()), Some(domain));
+        let mut different = 0;
+        for seed in 0..20 {
+            let drawn = domain.draw(seed).unwrap();
+            assert_eq!(drawn, domain.draw(seed).unwrap());
+            different += usize::from(drawn.document != domain.draw(seed + 1).unwrap().document);
+            returns(&drawn.document);
+            let json: serde_json::Value = serde_json::from_str(&drawn.document.to_json()).unwrap();
+            assert_eq!(json["format"], domain.name());
+        }
+        assert!(different > 15, "{} {different}", domain.name());
+    }
+    assert_eq!(Domain::named("chess"), None);
+}
+
+/// An even number of moves, so that the paper's horizons have plans; every second draw is thrown
+/// away for that.
+#[test]
+fn gridworlds_have_plans_at_even_horizons() {
+    let mut redraws = 0;
+    for seed in 0..200 {
+        let shape = GridworldShape { walls: 12, ..GridworldShape::default() };
+        for shape in [GridworldShape::default(), shape] {
+            let drawn = shape.generate(seed).unwrap();
+            let ([column, row], goal) = (drawn.document.start, drawn.document.goals[0].cell);
+            assert_eq!((column.abs_diff(goal[0]) + row.abs_diff(goal[1])) % 2, 0);
+            redraws += drawn.redraws;
+        }
+    }
+    assert!((250..800).contains(&redraws), "{redraws}");
 }

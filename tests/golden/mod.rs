@@ -58,11 +58,11 @@ fn cases() -> Vec<Value> {
     cases.push(replay::case("named goals", None, GRIDWORLD, &named));
     for (format, seed, horizon, paper) in [
         ("gridworld", 1, 12, false),
-        ("gridworld", 2, 13, false),
+        ("gridworld", 2, 14, false),
         ("gridworld", 3, 12, false),
         ("gridworld with walls", 4, 14, false),
         ("small gridworld", 5, 4, true),
-        ("small gridworld", 6, 3, true),
+        ("small gridworld", 6, 2, true),
         ("delivery", 7, 3, false),
         ("delivery", 8, 3, false),
     ] {

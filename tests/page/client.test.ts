@@ -1,7 +1,7 @@
 // The page's side of the worker, with workers that do just what a test tells them.
 import assert from "node:assert/strict";
 import { beforeEach, mock, test } from "node:test";
-import type { Outcome, Progress, Trace } from "../../www/src/core.js";
+import type { Outcome, Progress, Scene, Trace } from "../../www/src/core.js";
 import { type Ending, SolverClient } from "../../www/src/worker/client.js";
 import type { Message, Reply } from "../../www/src/worker/protocol.js";
 
@@ -34,6 +34,7 @@ Object.assign(globalThis, { Worker: ScriptedWorker });
 const solve = { kind: "solve", document: "{}", options: { solver: "exact" } } as const;
 const goals = { adversarial: ["G1", "G2"], cooperative: ["G1"] };
 const trace = { valid: true, steps: [{ goals, goal_difference: 1 }], goal_difference: 1 } as unknown as Trace;
+const scene = { format: "explicit" } as unknown as Scene;
 const outcome = { status: "optimal", plan: [] } as unknown as Outcome;
 const progress = (plan: string[] | null) => ({ solver: "exact", plan }) as unknown as Progress;
 
@@ -46,16 +47,16 @@ test("a reply to an older request is dropped", async () => {
   const first = client.run(solve);
   const second = client.run(solve);
   assert.deepEqual(await first, { kind: "stale" });
-  ScriptedWorker.last.say({ kind: "solved", id: 1, outcome, trace: null });
-  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace });
-  assert.deepEqual(await second, { kind: "solved", id: 2, outcome, trace });
+  ScriptedWorker.last.say({ kind: "solved", id: 1, outcome, trace, scene });
+  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace, scene });
+  assert.deepEqual(await second, { kind: "solved", id: 2, outcome, trace, scene });
   assert.equal(ScriptedWorker.all.length, 1);
 });
 
 test("progress is reported, of the current request alone", async () => {
   const client = new SolverClient();
   const seen: (string[] | null)[] = [];
-  void client.run(solve, ({ plan }) => seen.push(plan));
+  void client.run(solve, (update) => update.kind === "progress" && seen.push(update.progress.plan));
   ScriptedWorker.last.say({ kind: "progress", id: 7, progress: progress(["west"]) });
   ScriptedWorker.last.say({ kind: "progress", id: 1, progress: progress(["east"]) });
   assert.deepEqual(seen, [["east"]]);
@@ -68,7 +69,7 @@ test("a cancel that is answered keeps the worker and its answer", async () => {
   client.cancel();
   client.cancel();
   assert.deepEqual(ScriptedWorker.last.heard.slice(1), [{ kind: "cancel", id: 1 }]);
-  ScriptedWorker.last.say({ kind: "solved", id: 1, outcome, trace });
+  ScriptedWorker.last.say({ kind: "solved", id: 1, outcome, trace, scene });
   mock.timers.tick(60_000);
   assert.equal((await ending).kind, "solved");
   assert.equal(ScriptedWorker.last.ended, false);
@@ -80,6 +81,7 @@ test("a cancel without an answer ends the worker; another replays the best plan 
   const client = new SolverClient();
   const ending = client.run(solve);
   const deaf = ScriptedWorker.last;
+  deaf.say({ kind: "opened", id: 1, scene, start: trace });
   deaf.say({ kind: "progress", id: 1, progress: progress(["east", "north"]) });
   client.cancel();
   mock.timers.tick(2000);
@@ -89,6 +91,7 @@ test("a cancel without an answer ends the worker; another replays the best plan 
   ScriptedWorker.last.say({ kind: "traced", id: 2, trace });
   assert.deepEqual(await ending, {
     kind: "solved",
+    scene,
     trace,
     outcome: {
       ...{ status: "feasible", solver: "exact", horizon: 2, plan: ["east", "north"] },
@@ -102,11 +105,22 @@ test("a cancel without an answer and without a plan tells of a limit", async () 
   mock.timers.enable({ apis: ["setTimeout"] });
   const client = new SolverClient();
   const ending = client.run(solve);
+  ScriptedWorker.last.say({ kind: "opened", id: 1, scene, start: trace });
   client.cancel();
   mock.timers.tick(2000);
   const end = (await ending) as Extract<Ending, { kind: "solved" }>;
   assert.equal(end.outcome.status, "limit");
-  assert.equal(end.trace, null);
+  assert.equal(end.trace, trace);
+  mock.timers.reset();
+});
+
+test("a cancel before the problem was read ends with a message", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const client = new SolverClient();
+  const ending = client.run(solve);
+  client.cancel();
+  mock.timers.tick(2000);
+  assert.equal((await ending).kind, "refused");
   mock.timers.reset();
 });
 
@@ -123,7 +137,7 @@ test("a task that a busy worker does not take up goes to another worker", async 
   mock.timers.tick(2000);
   assert(busy.ended);
   assert.deepEqual(ScriptedWorker.last.heard, [{ ...solve, id: 2 }]);
-  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace });
+  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace, scene });
   assert.equal((await newer).kind, "solved");
   mock.timers.reset();
 });
@@ -146,7 +160,7 @@ test("a panic ends the request and puts another worker in place", async () => {
   assert(broken.ended);
   assert.equal(ScriptedWorker.all.length, 2);
   const next = client.run(solve);
-  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace });
+  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace, scene });
   assert.equal((await next).kind, "solved");
 });
 

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { AxeBuilder } from "@axe-core/playwright";
 import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
-import { press, statusIs, stepIs, useDocument } from "./support/playground.js";
+import { openTab, press, statusIs, stepIs, useDocument } from "./support/playground.js";
 
 for (const width of [320, 360, 768]) {
   test(`nothing runs off a screen ${width} pixels wide`, () =>
@@ -40,7 +40,7 @@ for (const colorScheme of ["light", "dark"] as const) {
     visit(
       async ({ page }) => {
         await statusIs(page, "optimal");
-        await page.getByText("The problem, as a document").click();
+        await openTab(page, "Document");
         await press(page, "Back one step");
         const { violations } = await new AxeBuilder({ page }).analyze();
         assert.deepEqual(
@@ -55,7 +55,9 @@ for (const colorScheme of ["light", "dark"] as const) {
 test("the keyboard alone steps and solves, and shows where it is", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
-    await page.keyboard.press("Tab");
+    // The tools and the boards come before the steps.
+    const label = () => page.evaluate(() => document.activeElement?.getAttribute("aria-label"));
+    for (let count = 0; count < 30 && (await label()) !== "First step"; count += 1) await page.keyboard.press("Tab");
     const focus = await page.evaluate(() => {
       const style = getComputedStyle(document.activeElement ?? document.body);
       return {

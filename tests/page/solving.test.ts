@@ -1,54 +1,211 @@
 // Asking the solvers: their options, cancelling, and a worker that is lost.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { Page } from "playwright-core";
 import { visit } from "./support/browser.js";
-import { example, solve } from "./support/core.js";
+import { advise, example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
-import { attribute, choose, drawn, press, slider, statusIs, useDocument } from "./support/playground.js";
+import { attribute, choose, drawn, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
+import { withDeafWorkers, withKnownWorkers } from "./support/workers.js";
 
-test("solver, bounds and plan length reach the core", () =>
+test("exact answers follow every change at once, within the bounds", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
+    assert.equal(await page.getByRole("button", { name: "Solve", exact: true }).count(), 0);
     await page.getByLabel("Plan length").fill("14");
     await page.getByLabel("Friend keeps at most").fill("2");
-    await press(page, "Solve");
-    await page.getByText("among plans of 14 moves").waitFor();
+    await page.getByText("proved best of the plans of 14 moves within the bounds").waitFor();
     const { outcome } = solve(example, { solver: "exact", horizon: 14, j: 2 });
     assert.equal(await attribute(page, "data-gd"), String(outcome.goal_difference));
     assert.equal(await slider(page).getAttribute("max"), "14");
-
-    await choose(page, "Solver", "baseline");
-    await press(page, "Solve");
-    await statusIs(page, "solved");
-    assert.equal(await page.getByLabel("Plan length").count(), 0);
+    await page.getByText("Best of 14 moves within bounds: 0.667").waitFor();
   }));
 
-test("what no plan can do is proved to be so, and the start is shown", () =>
+test("numbers are stepped up and down between the limits that the scene sets", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const k = page.getByLabel("Enemy keeps at least");
+    const [raise, lower] = [
+      page.getByRole("button", { name: "Raise k" }),
+      page.getByRole("button", { name: "Lower k" }),
+    ];
+    for (const expected of ["2", "3", "4"]) {
+      await raise.click();
+      assert.equal(await k.inputValue(), expected);
+    }
+    assert(await raise.isDisabled());
+    await k.press("ArrowDown");
+    assert.equal(await k.inputValue(), "3");
+    for (const expected of ["2", "1", ""]) {
+      await lower.click();
+      assert.equal(await k.inputValue(), expected);
+    }
+    await page.getByRole("button", { name: "One move shorter" }).click();
+    // It begins at the length of the plan shown.
+    const { outcome } = solve(example, { solver: "exact" });
+    assert.equal(await page.getByLabel("Plan length").inputValue(), String(outcome.plan?.length));
+  }));
+
+test("a number that can't be used is explained and changes nothing", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const before = await attribute(page, "data-gd");
+    const k = page.getByLabel("Enemy keeps at least");
+    await k.fill("many");
+    await page.getByText("A whole number of goals from 1 to 4, or nothing.").waitFor();
+    assert.equal(await k.getAttribute("aria-invalid"), "true");
+    assert.equal(await attribute(page, "data-gd"), before);
+    assert.equal(await attribute(page, "data-status"), "optimal");
+    await k.press("Tab");
+    assert.equal(await k.inputValue(), "");
+    await k.fill("99");
+    await k.press("Tab");
+    assert.equal(await k.inputValue(), "4");
+    assert.equal(await page.getByText("A whole number of goals").count(), 0);
+  }));
+
+test("bounds that an edit leaves no goals for are brought down", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await page.getByLabel("Enemy keeps at least").fill("4");
+    await page.getByText("Best within bounds: 1").waitFor();
+    await useDocument(page, example);
+    await openTab(page, "Solve");
+    await page.getByLabel("Enemy keeps at least").fill("4");
+    await page.getByLabel("Friend keeps at most").fill("4");
+    const document = JSON.parse(example);
+    document.goals.pop();
+    await page.evaluate(`document.querySelector("mo-copp-playground").playground.apply(${JSON.stringify(document)})`);
+    await page.getByText("(3 for the enemy − 1 for the friend) ÷ (3 − 1)").waitFor();
+    assert.equal(await page.getByLabel("Enemy keeps at least").inputValue(), "3");
+    assert.equal(await page.getByLabel("Friend keeps at most").inputValue(), "");
+    assert.equal(await attribute(page, "data-status"), "optimal");
+  }));
+
+test("other solvers run on Solve; edits show the best possible and offer the solver again", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await choose(page, "Solver", "baseline");
+    assert.equal(await page.getByLabel("Enemy keeps at least").count(), 0);
+    await press(page, "Solve");
+    await statusIs(page, "solved");
+    const { outcome } = solve(example, { solver: "baseline" });
+    assert.equal(await attribute(page, "data-gd"), String(outcome.goal_difference));
+    await page.getByText("Baseline: reaches the goal.").waitFor();
+    await page.getByText("Best possible: 1 · this plan: 0.667").waitFor();
+    assert.equal(await page.getByRole("button", { name: /Solve again/ }).count(), 0);
+
+    const document = JSON.parse(example);
+    document.start = [0, 6];
+    for (const observer of Object.values<{ initial_belief: unknown }>(document.observers))
+      observer.initial_belief = [[0, 6]];
+    await page.evaluate(`document.querySelector("mo-copp-playground").playground.apply(${JSON.stringify(document)})`);
+    await statusIs(page, "optimal");
+    await page.getByText("Exact search: proved best of the plans of every length.").waitFor();
+    const edited = JSON.stringify(document);
+    assert.equal(await attribute(page, "data-gd"), String(solve(edited, { solver: "exact" }).outcome.goal_difference));
+    await press(page, "Solve again with Baseline");
+    await statusIs(page, "solved");
+    const again = solve(edited, { solver: "baseline" }).outcome;
+    assert.equal(await attribute(page, "data-gd"), String(again.goal_difference));
+  }));
+
+test("the best possible is found beside a solver that was faster than it", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await choose(page, "Solver", "baseline");
+    const document = JSON.parse(example);
+    document.walls.pop();
+    await page.evaluate(`{
+      const { playground } = document.querySelector("mo-copp-playground");
+      playground.apply(${JSON.stringify(document)});
+      void playground.solve();
+    }`);
+    await statusIs(page, "solved");
+    const { goal_difference } = solve(JSON.stringify(document), { solver: "exact" }).outcome;
+    await page.getByText(`Best possible: ${goal_difference}`).waitFor();
+    assert.equal(await attribute(page, "data-status"), "solved");
+  }));
+
+for (const encoding of ["belief-flow", "paper"] as const) {
+  test(`the integer program, ${encoding}, raises the length by the step`, () =>
+    visit(async ({ page }) => {
+      await statusIs(page, "optimal");
+      await useDocument(page, grid());
+      await openTab(page, "Solve");
+      await choose(page, "Solver", "ip");
+      await choose(page, "Encoding", encoding);
+      await page.getByLabel("Plan length").fill("3");
+      await page.getByText("No plan can do what is asked").waitFor();
+      await page.getByLabel("Raise by").fill("2");
+      await press(page, "Solve");
+      await page.getByText(/^Integer program: proved best/).waitFor();
+      const { outcome } = solve(grid(), { solver: "ip", encoding, horizon: 3, horizon_step: 2 });
+      assert.equal(outcome.plan?.length, 5);
+      assert.equal(await slider(page).getAttribute("max"), "5");
+      assert.equal(await attribute(page, "data-gd"), String(outcome.goal_difference));
+    }));
+}
+
+test("what no plan can do is proved to be so, the start is shown, and a longer plan is offered", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await page.getByLabel("Plan length").fill("3");
-    await press(page, "Solve");
     await statusIs(page, "infeasible");
     assert.equal(await attribute(page, "data-gd"), null);
     assert.equal(await attribute(page, "data-step"), "0");
-    await page.getByText("It is proved that no plan does what was asked").waitFor();
+    await page.getByText("The true goal is 14 moves away: no plan is shorter.").waitFor();
+    const [remedy] = advise(example, { solver: "exact", horizon: 3 }).remedies;
+    assert.deepEqual([remedy?.change, remedy?.value], ["horizon", 14]);
+    await press(page, "A longer plan: 14 moves");
+    await statusIs(page, "optimal");
+    assert.equal(await page.getByLabel("Plan length").inputValue(), "14");
+    assert.equal(await attribute(page, "data-gd"), String(remedy?.goal_difference));
   }));
 
-test("options that make no sense are explained", () =>
+test("every remedy for bounds that can't be kept is offered, and does", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
-    await page.getByLabel("Enemy keeps at least").fill("many");
-    await press(page, "Solve");
-    await statusIs(page, "error");
-    await page.getByText("k must be a whole number; found “many”.").waitFor();
-    await page.getByLabel("Enemy keeps at least").fill("99");
-    await press(page, "Solve");
-    await page.getByRole("alert").filter({ hasText: "99" }).waitFor();
-    await statusIs(page, "error");
-    await page.getByLabel("Enemy keeps at least").fill("");
-    await press(page, "Solve");
+    await page.getByLabel("Plan length").fill("14");
     await statusIs(page, "optimal");
+    await page.getByLabel("Enemy keeps at least").fill("4");
+    await statusIs(page, "infeasible");
+    await page
+      .getByText("No plan of exactly 14 moves reaches the true goal and keeps at least 4 goals possible for the enemy")
+      .waitFor();
+    const { remedies, complete } = advise(example, { solver: "exact", horizon: 14, k: 4 });
+    assert(complete && remedies.length > 1);
+    const offered = page.locator(".remedies button");
+    await offered.first().waitFor();
+    assert.equal(await offered.count(), remedies.length);
+    for (const [index, { change, value, goal_difference }] of remedies.entries()) {
+      await offered.nth(index).click();
+      await statusIs(page, "optimal");
+      const label = { horizon: "Plan length", k: "Enemy keeps at least", j: "Friend keeps at most" }[change];
+      assert.equal(await page.getByLabel(label).inputValue(), String(value));
+      assert.equal(await attribute(page, "data-gd"), String(goal_difference));
+      await page.getByLabel("Plan length").fill("14");
+      await page.getByLabel("Enemy keeps at least").fill("4");
+      await page.getByLabel("Friend keeps at most").fill("");
+      await statusIs(page, "infeasible");
+    }
+  }));
+
+test("a goal that can't be reached is said to be so", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(
+      page,
+      grid({
+        walls: [
+          [2, 0],
+          [3, 1],
+        ],
+      }),
+    );
+    await statusIs(page, "infeasible");
+    await openTab(page, "Solve");
+    await page.getByText("The true goal cannot be reached from the start, however long the plan.").waitFor();
+    assert.equal(await page.locator(".remedies").count(), 0);
   }));
 
 test("a search that takes long shows its progress, leaves the page alive, and can be cancelled", () =>
@@ -56,15 +213,38 @@ test("a search that takes long shows its progress, leaves the page alive, and ca
     await statusIs(page, "optimal");
     await useDocument(page, endless());
     await statusIs(page, "solving");
+    await openTab(page, "Solve");
     await page.getByText(/states looked at/).waitFor();
+    await page.getByText(/\d\.\d s$/).waitFor();
+    await press(page, "Cancel");
+    await statusIs(page, "feasible");
+    await page.getByText("Exact search: best found.").waitFor();
+    await page.getByText("Best found: 0").waitFor();
+    await press(page, "Solve again");
+    await statusIs(page, "solving");
+    await press(page, "Cancel");
+    await statusIs(page, "feasible");
+  }));
+
+test("the integer program tells its bound and its gap, and a cancel keeps the best plan", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await choose(page, "Solver", "ip");
+    await choose(page, "Encoding", "paper");
+    await page.getByLabel("Plan length").fill("16");
+    await press(page, "Solve");
+    await page.getByText(/nodes looked at, plans of 16 moves, .*at most 1 possible/).waitFor();
     await press(page, "Cancel");
     await statusIs(page, "feasible", "limit");
+    await page.getByText(/^Integer program: (best found|stopped)/).waitFor();
+    await page.getByText("Best of 16 moves: 1").waitFor();
   }));
 
 test("a newer problem takes the place of a search under way", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await useDocument(page, endless());
+    await openTab(page, "Solve");
     await page.getByText(/states looked at/).waitFor();
     await useDocument(page, grid());
     await statusIs(page, "optimal");
@@ -76,6 +256,7 @@ test("a solver that does not obey a cancel is ended, and the next solve works", 
     async ({ page }) => {
       await statusIs(page, "optimal");
       await useDocument(page, endless());
+      await openTab(page, "Solve");
       await page.getByText(/states looked at/).waitFor();
       await press(page, "Cancel");
       await statusIs(page, "feasible", "limit");
@@ -90,6 +271,7 @@ test("a lost worker is replaced, says so, and leaves the problem as it was", () 
     async ({ page }) => {
       await statusIs(page, "optimal");
       await useDocument(page, endless());
+      await openTab(page, "Solve");
       await page.getByText(/states looked at/).waitFor();
       const before = await drawn(page);
       await page.evaluate("workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
@@ -111,25 +293,3 @@ test("a core that can't be loaded is reported", () =>
     },
     { before: (page) => page.route("**/*.wasm", (route) => route.abort()), quiet: false },
   ));
-
-/** Workers that never hear of a cancel, as one in the middle of a long piece of work would not. */
-const withDeafWorkers = (page: Page) =>
-  page.addInitScript(`
-    const post = Worker.prototype.postMessage;
-    Worker.prototype.postMessage = function (message) {
-      if (message.kind !== "cancel") post.call(this, message);
-    };
-  `);
-
-/** Workers that a test can reach. */
-const withKnownWorkers = (page: Page) =>
-  page.addInitScript(`
-    window.workers = [];
-    const Original = window.Worker;
-    window.Worker = class extends Original {
-      constructor(...args) {
-        super(...args);
-        window.workers.push(this);
-      }
-    };
-  `);

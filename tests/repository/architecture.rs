@@ -8,6 +8,7 @@ use crate::{files, read, root};
 const ALLOWED: &[(&str, &[&str])] = &[
     ("task", &[]),
     ("limits", &[]),
+    ("pddl", &["task"]),
     ("plan", &["task"]),
     ("sensor", &["task"]),
     ("belief", &["limits", "sensor", "task"]),
@@ -23,7 +24,10 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ),
     ("report", &["document", "domain", "goal_difference", "plan", "problem", "solver", "trace"]),
     ("bindings", &["document", "domain", "plan", "problem", "report", "solver", "trace"]),
-    ("cli", &["document", "domain", "limits", "plan", "problem", "report", "solver", "trace"]),
+    (
+        "cli",
+        &["document", "domain", "limits", "pddl", "plan", "problem", "report", "solver", "trace"],
+    ),
 ];
 
 /// The module of a file: the first name below `src/`.

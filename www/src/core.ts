@@ -1,5 +1,8 @@
 // The Rust core's types, as its bindings declare them. Everything the page knows of planning comes through these.
 export type {
+  Advice,
+  LengthPoint,
+  NextAction,
   Outcome,
   Progress,
   Scene,

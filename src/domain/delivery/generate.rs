@@ -5,7 +5,7 @@ use rand::RngExt;
 use super::{Delivery, DeliveryObserver, DeliverySymbols, Factory, LoadSymbols, MAX_PACKAGES};
 use crate::document::DocumentError;
 use crate::domain::Observers;
-use crate::domain::generate::{GenerateError, Generated, draw, in_range, random};
+use crate::domain::generate::{Drawn, GenerateError, draw, in_range, random};
 
 /// The size of a random delivery. Packages are dealt to factories at random, and so are the two
 /// packages of the true goal. The sensors are the paper's.
@@ -31,7 +31,7 @@ impl DeliveryShape {
     /// # Errors
     ///
     /// The numbers make no sense together.
-    pub fn generate(self, seed: u64) -> Result<Generated<Delivery>, GenerateError> {
+    pub fn generate(self, seed: u64) -> Result<Drawn<Delivery>, GenerateError> {
         in_range("factories", self.factories, 1..=26)?;
         in_range("packages", self.packages, self.factories.max(2)..=MAX_PACKAGES as u32)?;
         in_range("deliver", self.deliver, 1..=self.packages - 1)?;
@@ -67,6 +67,6 @@ impl DeliveryShape {
         if let Err(DocumentError::Invalid { found, expected, .. }) = document.problem() {
             return Err(GenerateError::Shape { what: "deliver", found, expected });
         }
-        Ok(Generated { document, redrawn: 0 })
+        Ok(Drawn { document, redraws: 0 })
     }
 }

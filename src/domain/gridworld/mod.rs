@@ -1,8 +1,7 @@
 //! Gridworld: an agent moves between cells.
 //!
-//! Cells are `[column, row]`, row 0 at the top; north goes up. A move off the grid or into a wall is
-//! not applicable. The sensor of each observer gives one symbol a move; where the agent ends in a
-//! cell with one of its cameras, the observer sees that very cell instead.
+//! A move off the grid or into a wall is not applicable. Cells, walls and observers are those of
+//! [`grid`](super::grid).
 
 mod build;
 mod generate;
@@ -13,12 +12,15 @@ use serde::Serialize;
 pub use generate::GridworldShape;
 
 use super::Observers;
-
-/// Column and row.
-pub type Cell = [u32; 2];
+use super::grid::{Cell, GridGoal, GridObserver, Symbols};
 
 /// The longest side of a grid.
 pub const MAX_SIDE: u32 = 256;
+
+/// The moves, which are the four directions.
+const MOVES: [&str; 4] = ["north", "south", "east", "west"];
+/// The action of an agent that stays where it is.
+const STAY: &str = "stay";
 
 /// A `gridworld` document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -38,65 +40,19 @@ pub struct Gridworld {
     /// Whether the agent may also stay where it is.
     pub stay: bool,
     /// What the two observers believe and see.
-    pub observers: Observers<GridObserver>,
+    pub observers: Observers<GridObserver<Cell>>,
 }
 
-/// A candidate goal: to be in a cell.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct GridGoal {
-    /// Its name.
-    pub name: String,
-    /// The cell.
-    pub cell: Cell,
-}
-
-/// An observer of a gridworld.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct GridObserver {
-    /// Cells the agent could be in at first; the start alone when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub initial_belief: Option<Vec<Cell>>,
-    /// Cells in which the observer sees the agent exactly.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub cameras: Vec<Cell>,
-    /// The symbol of each move.
-    pub sensor: MoveSymbols,
-}
-
-/// The symbol an observer sees for each move.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct MoveSymbols {
-    /// For a move up.
-    pub north: String,
-    /// For a move down.
-    pub south: String,
-    /// For a move to the right.
-    pub east: String,
-    /// For a move to the left.
-    pub west: String,
-    /// For staying, where that is allowed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stay: Option<String>,
-}
-
-impl MoveSymbols {
-    /// The paper's enemy: it tells vertical from horizontal moves.
-    pub fn axis() -> Self {
-        Self::of(["vertical", "vertical", "horizontal", "horizontal"])
-    }
-
-    /// The paper's friend: it tells moves to the north or east from the others.
-    pub fn diagonal() -> Self {
-        Self::of(["north-east", "south-west", "north-east", "south-west"])
-    }
-
-    fn of([north, south, east, west]: [&str; 4]) -> Self {
-        Self {
-            north: north.to_owned(),
-            south: south.to_owned(),
-            east: east.to_owned(),
-            west: west.to_owned(),
-            stay: None,
+impl Gridworld {
+    /// The paper's sensors: the enemy tells vertical from horizontal moves, the friend moves to the
+    /// north or east from the others.
+    pub fn paper_sensors() -> Observers<Symbols> {
+        let of = |[north, south, east, west]: [&str; 4]| {
+            Symbols::new([("north", north), ("south", south), ("east", east), ("west", west)])
+        };
+        Observers {
+            adversarial: of(["vertical", "vertical", "horizontal", "horizontal"]),
+            cooperative: of(["north-east", "south-west", "north-east", "south-west"]),
         }
     }
 }

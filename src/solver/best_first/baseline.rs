@@ -8,11 +8,13 @@ use std::sync::Arc;
 use super::engine::{BestFirst, SearchSpace};
 use crate::heuristic::{SetAdditive, UNREACHABLE};
 use crate::limits::{LimitReached, Limits};
-use crate::problem::Problem;
-use crate::solver::Options;
 use crate::solver::engine::Engine;
 use crate::solver::outcome::Stats;
 use crate::task::{Action, StateId, StateSpace, Task};
+
+/// Expansions without a smaller value after which new nodes take their turns as well. Driverlog
+/// with four drivers and eight packages is not solved in millions of expansions without.
+const PATIENCE: u64 = 1000;
 
 /// States, and how many actions led to them where that matters.
 #[derive(Debug)]
@@ -24,19 +26,18 @@ struct States {
     limits: Limits,
 }
 
-/// The baseline on a problem, for plans of any length or of exactly `horizon` actions.
+/// The baseline on a task, for plans of any length or of exactly `horizon` actions.
 pub(in crate::solver) fn engine(
-    problem: &Problem,
-    options: &Options,
+    task: &Arc<Task>,
+    limits: Limits,
     horizon: Option<usize>,
 ) -> impl Engine + use<> {
-    let task = Arc::clone(problem.task());
     BestFirst::new(States {
-        space: StateSpace::new(Arc::clone(&task)),
-        heuristic: SetAdditive::new(&task),
-        task,
+        space: StateSpace::new(Arc::clone(task)),
+        heuristic: SetAdditive::new(task),
+        task: Arc::clone(task),
         horizon,
-        limits: options.limits,
+        limits,
     })
 }
 
@@ -75,6 +76,10 @@ impl SearchSpace for States {
         found
             .extend(self.space.edges(state).iter().map(|edge| (edge.action, (edge.target, steps))));
         Ok(())
+    }
+
+    fn patience(&self) -> Option<u64> {
+        Some(PATIENCE)
     }
 
     fn limits(&self) -> &Limits {

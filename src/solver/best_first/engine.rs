@@ -1,7 +1,6 @@
 //! The best-first loop that every variant shares.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BTreeMap, VecDeque};
 use std::hash::Hash;
 
 use crate::limits::{LimitReached, Limits};
@@ -49,6 +48,13 @@ pub(super) trait SearchSpace: Send {
     /// All nodes of this round are done and some wait.
     fn next_round(&mut self) {}
 
+    /// After so many expansions without a smaller value than before the newest of equal nodes
+    /// takes every second turn: where many nodes look alike the oldest ones alone would be searched
+    /// breadth first. None: the oldest always come first.
+    fn patience(&self) -> Option<u64> {
+        None
+    }
+
     /// The limits in force.
     fn limits(&self) -> &Limits;
 
@@ -59,8 +65,32 @@ pub(super) trait SearchSpace: Send {
     fn count(&self, stats: &mut Stats);
 }
 
-/// Least value first, then the oldest.
-type Open = BinaryHeap<Reverse<(i64, u64, u32)>>;
+/// Nodes by value, those of one value by age.
+#[derive(Debug, Default)]
+struct Open {
+    by_value: BTreeMap<i64, VecDeque<u32>>,
+    len: usize,
+}
+
+impl Open {
+    fn push(&mut self, value: i64, index: u32) {
+        self.by_value.entry(value).or_default().push_back(index);
+        self.len += 1;
+    }
+
+    /// The oldest or the newest of the nodes with the least value.
+    fn pop(&mut self, newest: bool) -> Option<(i64, u32)> {
+        let mut least = self.by_value.first_entry()?;
+        let value = *least.key();
+        let nodes = least.get_mut();
+        let index = if newest { nodes.pop_back() } else { nodes.pop_front() };
+        if nodes.is_empty() {
+            least.remove();
+        }
+        self.len -= 1;
+        index.map(|index| (value, index))
+    }
+}
 
 /// How many nodes are expanded between two looks at the memory.
 const EXPANSIONS_BETWEEN_CHECKS: u64 = 16;
@@ -71,8 +101,9 @@ pub(super) struct BestFirst<S: SearchSpace> {
     tree: SearchTree<S::Key>,
     open: Open,
     deferred: Open,
-    pushed: u64,
     expansions: u64,
+    /// The least value of a node expanded, and how many expansions there were before it.
+    least: (i64, u64),
     /// The node that ends a plan.
     end: Option<usize>,
     found: Vec<(Action, S::Key)>,
@@ -84,10 +115,10 @@ impl<S: SearchSpace> BestFirst<S> {
         let mut search = Self {
             space,
             tree: SearchTree::new(root),
-            open: BinaryHeap::new(),
-            deferred: BinaryHeap::new(),
-            pushed: 0,
+            open: Open::default(),
+            deferred: Open::default(),
             expansions: 0,
+            least: (i64::MAX, 0),
             end: None,
             found: Vec::new(),
         };
@@ -102,8 +133,7 @@ impl<S: SearchSpace> BestFirst<S> {
         if self.space.is_goal(key) {
             self.end = Some(index);
         } else if let Some(value) = self.space.value(key) {
-            self.open.push(Reverse((value, self.pushed, index as u32)));
-            self.pushed += 1;
+            self.open.push(value, index as u32);
         }
     }
 
@@ -115,7 +145,7 @@ impl<S: SearchSpace> BestFirst<S> {
         if !self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
             return Ok(());
         }
-        let open = size_of::<Reverse<(i64, u64, u32)>>() * (self.open.len() + self.deferred.len());
+        let open = size_of::<u32>() * (self.open.len + self.deferred.len);
         limits.check_bytes(self.space.bytes() + self.tree.bytes() + open as u64)
     }
 
@@ -149,18 +179,24 @@ impl<S: SearchSpace> Engine for BestFirst<S> {
             if let Some(plan) = self.plan() {
                 return Ok(Advance::Finished(Finding::plan(Status::Solved, plan)));
             }
-            let Some(next) = self.open.pop() else {
-                if self.deferred.is_empty() {
+            let since = self.expansions - self.least.1;
+            let stuck = self.space.patience().is_some_and(|patience| since >= patience);
+            let Some((value, index)) = self.open.pop(stuck && since % 2 == 1) else {
+                if self.deferred.len == 0 {
                     return Ok(Advance::Finished(Finding::infeasible()));
                 }
                 self.space.next_round();
                 std::mem::swap(&mut self.open, &mut self.deferred);
                 continue;
             };
-            let Reverse((_, _, index)) = next;
             match self.space.admit(self.tree.key(index as usize)) {
-                Admission::Expand => self.expand(index as usize)?,
-                Admission::Defer => self.deferred.push(next),
+                Admission::Expand => {
+                    if value < self.least.0 {
+                        self.least = (value, self.expansions);
+                    }
+                    self.expand(index as usize)?;
+                }
+                Admission::Defer => self.deferred.push(value, index),
             }
         }
         Ok(Advance::Working)

@@ -1,7 +1,8 @@
 //! Greedy best-first search: one loop, and the spaces it searches.
 //!
 //! - [`engine`] is the loop: it opens the node with the least heuristic value, the older one of two
-//!   equals, and may put nodes off to a later round,
+//!   equals (in the baseline also the newer one where nothing gets better for long), and may put
+//!   nodes off to a later round,
 //! - [`baseline`] searches states for the true goal alone,
 //! - [`search`] searches states with beliefs for a plan that keeps the bounds (Algorithm 1), also
 //!   with one of the bounds alone (obfuscate, legible),

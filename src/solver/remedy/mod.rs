@@ -6,7 +6,7 @@
 //! limit came before the proof.
 //!
 //! - [`run`](RemedyRun) asks these questions one after the other,
-//! - [`horizons`] looks for the nearest other horizons.
+//! - `horizons` looks for the nearest other horizons.
 
 mod horizons;
 mod run;

@@ -26,36 +26,27 @@ export function grid(change: Record<string, unknown> = {}): string {
 
 /** So many beliefs that no exact search over plans of every length ends while a test waits. */
 export function endless(): string {
-  const size = 24;
+  const size = 32;
   const cells = Array.from({ length: size * size }, (_, index) => [index % size, Math.floor(index / size)]);
+  const isWall = ([column = 0, row = 0]: number[]) => (column * 7 + row * 3) % 11 === 5 && column % 3 === 1;
+  const free = cells.filter((cell) => !isWall(cell));
   return grid({
     width: size,
     height: size,
-    walls: cells.filter(([column = 0, row = 0]) => (column * 7 + row * 3) % 11 === 5 && column % 3 === 1),
+    walls: cells.filter(isWall),
     start: [0, 0],
     goals: [
       { name: "near", cell: [2, 0] },
       { name: "far", cell: [size - 1, size - 1] },
+      { name: "low", cell: [0, size - 2] },
     ],
     true_goal: "near",
     observers: {
       adversarial: {
-        initial_belief: [
-          [0, 0],
-          [0, 1],
-          [2, 3],
-          [5, 8],
-        ],
+        initial_belief: free.filter(([column = 0, row = 0]) => column + row < 3),
         sensor: sensor.adversarial,
       },
-      cooperative: {
-        initial_belief: [
-          [0, 0],
-          [3, 2],
-          [6, 6],
-        ],
-        sensor: sensor.cooperative,
-      },
+      cooperative: { initial_belief: free, sensor: sensor.cooperative },
     },
   });
 }
@@ -91,3 +82,28 @@ export const explicit: string = JSON.stringify({
     },
   },
 });
+
+/** The paper's delivery. */
+export const figure1: string = delivery([2, 2], 2);
+
+/** Factories A, B, … with so many packages each. */
+export function delivery(counts: readonly number[], deliver: number): string {
+  const factories = counts.map((count, index) => {
+    const name = String.fromCharCode(65 + index);
+    return { name, packages: Array.from({ length: count }, (_, pack) => `${name.toLowerCase()}${pack + 1}`) };
+  });
+  const load = Object.fromEntries(factories.map(({ name }) => [name, `barcode ${name}`]));
+  return JSON.stringify({
+    format: "delivery",
+    factories,
+    deliver,
+    true_goal: factories
+      .flatMap(({ packages }) => packages)
+      .slice(0, deliver)
+      .join("+"),
+    observers: {
+      adversarial: { sensor: { load: "package", deliver: "delivery" } },
+      cooperative: { sensor: { load, deliver: "delivery" } },
+    },
+  });
+}

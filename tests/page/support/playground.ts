@@ -16,11 +16,13 @@ export const slider = (page: Page) => page.getByRole("slider");
 
 export const press = (page: Page, name: string) => page.getByRole("button", { name, exact: true }).click();
 
+/** Opens a tab of the workbench. */
+export const openTab = (page: Page, name: string) => page.getByRole("tab", { name, exact: true }).click();
+
 /** Puts a document into the text field and opens it. */
 export async function useDocument(page: Page, document: string): Promise<void> {
-  const field = page.getByLabel("Problem document (JSON)");
-  if (!(await field.isVisible())) await page.getByText("The problem, as a document").click();
-  await field.fill(document);
+  await openTab(page, "Document");
+  await page.getByLabel("Problem document (JSON)").fill(document);
   await press(page, "Use this problem");
 }
 

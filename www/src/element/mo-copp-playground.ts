@@ -1,55 +1,128 @@
 // <mo-copp-playground>: the whole playground as one element. It renders into the document itself, so that a course
-// page's styles and checks reach its parts by the stable attributes.
+// page's styles and checks reach its parts by the stable attributes. docs/embedding.md lists attributes and events.
 import { html, nothing, type TemplateResult } from "lit";
-import { exampleDocument } from "../state/example.js";
+import { held } from "../edit/held.js";
+import { shortcut } from "../edit/shortcuts.js";
+import { toolbar } from "../edit/toolbar.js";
+import { galleryMenu } from "../gallery/menu.js";
+import { problemBar } from "../gallery/problem-bar.js";
+import { exampleDocument } from "../problem/example.js";
+import { Address } from "../share/address.js";
+import { LinkCopier } from "../share/copy-link.js";
+import { DropTarget, dropSign } from "../share/drop.js";
+import { Announcer, announcement } from "../stage/announcement.js";
+import { goalList } from "../stage/goal-list.js";
+import { legend } from "../stage/legend.js";
+import { stage } from "../stage/stage.js";
+import { stepper } from "../stage/stepper.js";
+import { followSymbols } from "../stage/symbols.js";
 import { Playground } from "../state/playground.js";
-import { announcement } from "../view/announcement.js";
-import { boards } from "../view/boards.js";
-import { documentForm } from "../view/document-form.js";
-import { goalDifference } from "../view/goal-difference.js";
-import { goalList } from "../view/goal-list.js";
-import { legend } from "../view/legend.js";
-import { solverForm } from "../view/solver-form.js";
-import { stepper } from "../view/stepper.js";
+import { followRow } from "../steps/follow-row.js";
+import { workbench } from "../workbench/workbench.js";
 import { SolverClient } from "../worker/client.js";
+import { Notifier } from "./events.js";
+import { PageKeys } from "./page-keys.js";
+import { goToStep, hiddenParts, type Part, settingNames, settingsOf, settle } from "./settings.js";
 import { SignalElement } from "./signal-element.js";
 
 export class MoCoppPlayground extends SignalElement {
+  static override get observedAttributes(): string[] {
+    return [...SignalElement.observedAttributes, ...settingNames, "hide", "link"];
+  }
+
   private readonly playground = new Playground(new SolverClient());
+  private readonly shortcuts = (event: KeyboardEvent) => {
+    if (this.keys.areFor(event)) shortcut(this.playground, event);
+  };
+  private readonly address = new Address(this.playground);
+  private readonly copier = new LinkCopier(this.address);
+  private readonly drops = new DropTarget(this.playground);
+  private readonly announcer = new Announcer(this.playground);
+  private readonly keys = new PageKeys(this.playground, this);
+  private readonly notifier = new Notifier(this.playground, this);
+  /** Whether the page's address is this playground's. */
+  private sharing = false;
+  private begun = false;
 
   protected override createRenderRoot(): HTMLElement {
     return this;
   }
 
-  protected override firstUpdated(): void {
-    void this.playground.open(exampleDocument);
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.sharing = this.getAttribute("link") !== "off" && this.address.claim();
+    // Who has the address has the page; among several, each takes what is dropped on itself.
+    this.drops.listen(this.sharing ? window : this);
+    this.announcer.listen();
+    this.keys.listen();
+    document.addEventListener("keydown", this.shortcuts);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    document.removeEventListener("keydown", this.shortcuts);
+    this.address.release();
+    this.drops.release();
+    this.announcer.release();
+    this.keys.release();
     this.playground.dispose();
+  }
+
+  override attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    super.attributeChangedCallback(name, before, after);
+    if (!this.begun || before === after) return;
+    this.requestUpdate();
+    if (name === "step") goToStep(this.playground, settingsOf(this));
+    else if (name !== "hide" && name !== "link") void settle(this.playground, settingsOf(this), exampleDocument);
+  }
+
+  protected override firstUpdated(): void {
+    void this.begin();
+  }
+
+  /** The address goes before the attributes: whoever followed a link wants what it holds. */
+  private async begin(): Promise<void> {
+    this.begun = true;
+    const opened = this.sharing ? await this.address.read() : null;
+    if (opened === true) return;
+    const { playground } = this;
+    const mistake = playground.error.value;
+    await settle(playground, settingsOf(this), exampleDocument);
+    if (opened === false && mistake !== null) playground.refuse(mistake);
   }
 
   protected override render(): TemplateResult {
     const playground = this.playground;
     const error = playground.error.value;
+    const hidden = hiddenParts(this.getAttribute("hide"));
+    const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
+    const copier = this.sharing && !hidden.has("share") ? this.copier : null;
     return html`
       <div class="error" role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
-      ${boards(playground)} ${goalDifference(playground)} ${stepper(playground)} ${legend(playground)}
-      <div class="below">
-        <section class="card" aria-label="Goals">${goalList(playground)}</section>
-        <section class="card" aria-label="Plan">${solverForm(playground)}</section>
-      </div>
-      ${documentForm(playground)} ${announcement(playground)}
+      ${show("gallery", () => held(playground, () => problemBar(playground, copier)))} ${show("tools", () => toolbar(playground))}
+      ${stage(playground)}
+      ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
+      ${
+        hidden.has("workbench") && hidden.has("goals")
+          ? nothing
+          : html`<div class="below">
+              ${show("workbench", () => workbench(playground))}
+              ${show("goals", () => html`<section class="card" aria-label="Goals">${goalList(playground)}</section>`)}
+            </div>`
+      }
+      ${show("gallery", () => galleryMenu(playground))} ${dropSign(this.drops)} ${announcement(this.announcer)}
     `;
   }
 
   protected override updated(): void {
-    const { status, step, result } = this.playground;
+    const { status, timeline, difference } = this.playground;
     this.dataset.status = status.value;
-    this.dataset.step = String(step.value);
-    const difference = result.value?.outcome.goal_difference ?? null;
-    if (difference === null) delete this.dataset.gd;
-    else this.dataset.gd = String(difference);
+    this.dataset.step = String(timeline.step.value);
+    if (difference.value === null) delete this.dataset.gd;
+    else this.dataset.gd = String(difference.value);
+    followSymbols(this);
+    void this.playground.walker.follow();
+    followRow(this, timeline.step.value);
+    this.notifier.notify();
   }
 }

@@ -2,7 +2,7 @@
 import type { SolveOptions } from "../core.js";
 
 type Solver = SolveOptions["solver"];
-type Field = "encoding" | "k" | "j" | "horizon";
+type Field = "encoding" | "k" | "j" | "horizon" | "horizonStep";
 
 export interface Form {
   solver: Solver;
@@ -10,41 +10,45 @@ export interface Form {
   k: string;
   j: string;
   horizon: string;
+  horizonStep: string;
 }
 
-export const emptyForm: Form = { solver: "exact", encoding: "belief-flow", k: "", j: "", horizon: "" };
+export const emptyForm: Form = {
+  ...{ solver: "exact", encoding: "belief-flow" },
+  ...{ k: "", j: "", horizon: "", horizonStep: "" },
+};
 
 /** The solvers in the order shown: their name, what they do, and which of the fields they read. */
 export const solvers: Record<Solver, { title: string; about: string; fields: readonly Field[] }> = {
   exact: {
     title: "Exact search",
-    about: "Looks at every position and both beliefs: the largest goal difference there is.",
+    about: "Looks at every position and both beliefs: finds the largest goal difference there is, and proves it.",
     fields: ["k", "j", "horizon"],
   },
   ip: {
     title: "Integer program",
-    about: "The best plan of one length, from linear inequalities; the length is raised until there is a plan.",
-    fields: ["encoding", "k", "j", "horizon"],
+    about: "Writes all plans of one length as linear inequalities and finds the best of them, with a proof.",
+    fields: ["encoding", "k", "j", "horizon", "horizonStep"],
   },
   search: {
     title: "Heuristic search",
-    about: "The first plan that keeps to both bounds.",
-    fields: ["k", "j"],
+    about: "Looks where it seems promising and takes the first plan that keeps to both bounds.",
+    fields: ["k", "j", "horizon"],
   },
   baseline: {
     title: "Baseline",
     about: "Walks to the goal and thinks of no observer.",
-    fields: [],
+    fields: ["horizon"],
   },
   obfuscate: {
     title: "Obfuscate only",
     about: "Hides from the enemy and does not mind the friend.",
-    fields: ["k"],
+    fields: ["k", "horizon"],
   },
   legible: {
     title: "Legible only",
     about: "Speaks to the friend and does not mind the enemy.",
-    fields: ["j"],
+    fields: ["j", "horizon"],
   },
 };
 
@@ -56,13 +60,21 @@ export const reads = (form: Form, field: Field): boolean => solvers[form.solver]
 export function optionsOf(form: Form): SolveOptions | string {
   const options: SolveOptions = { solver: form.solver };
   if (reads(form, "encoding")) options.encoding = form.encoding;
-  for (const field of ["k", "j", "horizon"] as const) {
+  for (const field of ["k", "j", "horizon", "horizonStep"] as const) {
     const text = form[field].trim();
     if (!reads(form, field) || text === "") continue;
     if (!/^\d{1,6}$/.test(text)) return `${fieldNames[field]} must be a whole number; found “${text}”.`;
-    options[field] = Number(text);
+    options[field === "horizonStep" ? "horizon_step" : field] = Number(text);
   }
   return options;
 }
 
-const fieldNames = { k: "k", j: "j", horizon: "The plan length" };
+/** The options of the exact search for the best of the plans that the chosen solver looks for. */
+export function exactOptions(form: Form): SolveOptions | string {
+  const options = optionsOf(form);
+  if (typeof options === "string") return options;
+  const { encoding, horizon_step, ...others } = options;
+  return { ...others, solver: "exact" };
+}
+
+const fieldNames = { k: "k", j: "j", horizon: "The plan length", horizonStep: "The step" };

@@ -1,6 +1,7 @@
 // The two observers, as the page speaks of them.
+import type { Role } from "../problem/types.js";
 
-export type Role = "adversarial" | "cooperative";
+export type { Role };
 
 export const roles: readonly Role[] = ["adversarial", "cooperative"];
 

@@ -1,8 +1,8 @@
 // The page's side of the worker: gives tasks ids, drops stale replies, and replaces a worker that is lost or does not
 // obey a cancel.
-import type { Progress, Trace } from "../core.js";
+import type { Progress, Scene, Trace } from "../core.js";
 import { keptOutcome } from "./kept-outcome.js";
-import type { Answer, Message, Reply, Task } from "./protocol.js";
+import type { Answer, Message, Reply, Task, Update } from "./protocol.js";
 
 /** A worker that has not taken up a task or answered a cancel by then is in one long piece of work: it is ended. */
 const PATIENCE_MS = 2000;
@@ -13,9 +13,11 @@ export type Ending = Exclude<Answer, { kind: "broken" }> | { kind: "stale" } | {
 interface Current {
   id: number;
   task: Task;
-  report: (progress: Progress) => void;
+  report: (update: Update) => void;
   end: (ending: Ending) => void;
   last: Progress | null;
+  /** The scene and the start, once the worker has told them. */
+  opened: { scene: Scene; start: Trace } | null;
   /** When the worker is given up because it has not taken up the task, and because it has not answered a cancel. */
   startBy?: ReturnType<typeof setTimeout>;
   cancelBy?: ReturnType<typeof setTimeout>;
@@ -29,11 +31,11 @@ export class SolverClient {
   private current: Current | null = null;
 
   /** Starts a task; any task before it becomes stale. */
-  run(task: Task, report: (progress: Progress) => void = () => undefined): Promise<Ending> {
+  run(task: Task, report: (update: Update) => void = () => undefined): Promise<Ending> {
     this.finish({ kind: "stale" });
     return new Promise((end) => {
       this.lastId += 1;
-      const current: Current = { id: this.lastId, task, report, end, last: null };
+      const current: Current = { id: this.lastId, task, report, end, last: null, opened: null };
       this.current = current;
       this.send({ ...task, id: current.id });
       // One that is still loading takes as long as the network does.
@@ -97,7 +99,10 @@ export class SolverClient {
       clearTimeout(this.current.startBy);
     } else if (reply.kind === "progress") {
       this.current.last = reply.progress;
-      this.current.report(reply.progress);
+      this.current.report(reply);
+    } else if (reply.kind === "opened") {
+      this.current.opened = reply;
+      this.current.report(reply);
     } else {
       this.finish(reply);
     }
@@ -126,17 +131,19 @@ export class SolverClient {
   }
 
   /** Ends a worker that does not obey, and has another replay the best plan that was reported. */
-  private giveUpOn({ task, last, end, startBy }: Current): void {
+  private giveUpOn({ task, last, opened, end, startBy }: Current): void {
     clearTimeout(startBy);
     this.stopWorker();
-    if (task.kind !== "solve") {
-      this.finish({ kind: "refused", message: "Opening the problem was cancelled." });
+    if (task.kind !== "solve" || opened === null) {
+      this.finish({ kind: "refused", message: "Cancelled before there was anything to show." });
       return;
     }
+    const { scene, start } = opened;
     const solved = (trace: Trace | null): Ending => ({
       kind: "solved",
+      scene,
       outcome: keptOutcome(task.options, last, trace),
-      trace,
+      trace: trace ?? start,
     });
     if (last === null || last.plan === null) {
       this.finish(solved(null));

@@ -2,13 +2,17 @@
 //
 // Each request carries an id and all it needs, the problem document too: a worker that was lost can be replaced by
 // another without telling it anything first. A newer request makes every older one stale.
-import type { Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import type { Advice, NextAction, Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
 
 /** What the page asks for. */
 export type Task =
-  | { kind: "open"; document: string }
+  /** Read a document, solve it and replay the plan, all in one turn. */
   | { kind: "solve"; document: string; options: SolveOptions }
-  | { kind: "trace"; document: string; plan: string[] };
+  | { kind: "trace"; document: string; plan: string[] }
+  /** Replay a plan, and tell what can be done after it. */
+  | { kind: "walk"; document: string; plan: string[] }
+  /** Why there is no plan with these options, and which change of one of them would allow one. */
+  | { kind: "advise"; document: string; options: SolveOptions };
 
 /** Page to worker. `cancel` names the request it ends. */
 export type Message = (Task & { id: number }) | { kind: "cancel"; id: number };
@@ -16,12 +20,20 @@ export type Message = (Task & { id: number }) | { kind: "cancel"; id: number };
 /** An outcome that may lack figures: one that was put together after its worker was lost has none. */
 export type Answered = Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> };
 
+/** What a worker tells while it solves. */
+export type Update =
+  | { kind: "progress"; progress: Progress }
+  /** The document is right; solving takes longer, or cannot start. */
+  | { kind: "opened"; scene: Scene; start: Trace };
+
 /** What one task ends with, from a worker that works. */
 export type Answer =
-  | { kind: "opened"; scene: Scene; start: Trace }
-  | { kind: "solved"; outcome: Answered; trace: Trace | null }
+  /** Without a plan, `trace` is the start alone. */
+  | { kind: "solved"; scene: Scene; outcome: Answered; trace: Trace }
   | { kind: "traced"; trace: Trace }
-  /** The document or the options are wrong: `message` is for the person to read. */
+  | { kind: "walked"; trace: Trace; next: NextAction[] }
+  | { kind: "advised"; advice: Advice }
+  /** The document, the plan or the options are wrong: `message` is for the person to read. */
   | { kind: "refused"; message: string }
   /** The core panicked or could not be loaded: this worker is of no more use. */
   | { kind: "broken"; message: string };
@@ -33,4 +45,4 @@ export type Reply =
   /** The task is taken up. */
   | { kind: "started"; id: number }
   | (Answer & { id: number })
-  | { kind: "progress"; id: number; progress: Progress };
+  | (Update & { id: number });

@@ -6,6 +6,9 @@ import type { Answer, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
 import { nextTurn } from "./turn.js";
 
+/** What takes longer shows the document first and the plan later; what does not, both at once. */
+const SHOW_AFTER_MS = 60;
+
 let newest = 0;
 let cancelled = 0;
 let open: { document: string; problem: Problem } | null = null;
@@ -41,12 +44,14 @@ async function handle(task: Task, id: number): Promise<void> {
 function perform(task: Task, id: number): Answer | Promise<Answer> {
   const problem = opened(task.document);
   switch (task.kind) {
-    case "open":
-      return { kind: "opened", scene: problem.scene(), start: problem.trace([]) };
     case "trace":
       return { kind: "traced", trace: problem.trace(task.plan) };
+    case "walk":
+      return { kind: "walked", trace: problem.trace(task.plan), next: problem.next(task.plan) };
     case "solve":
       return solve(problem, task.options, id);
+    case "advise":
+      return advise(problem, task.options, id);
   }
 }
 
@@ -60,15 +65,48 @@ function opened(document: string): Problem {
 }
 
 async function solve(problem: Problem, options: SolveOptions, id: number): Promise<Answer> {
-  const run = problem.solve(options);
+  const started = performance.now();
+  let shown = false;
+  const show = () => {
+    if (!shown) post({ kind: "opened", scene: problem.scene(), start: problem.trace([]), id });
+    shown = true;
+  };
+  const run = start(problem, options, show);
+  // One node of an integer program can take long: who waits for it should see what it is about, and can cancel.
+  if (options.solver === "ip") show();
   await inSlices(
     run,
-    () => cancelled === id || newest !== id,
+    () => {
+      if (performance.now() - started > SHOW_AFTER_MS) show();
+      return cancelled === id || newest !== id;
+    },
     (progress) => post({ kind: "progress", id, progress }),
   );
   const outcome = run.outcome();
   run.free();
   // A newer task may have opened another problem meanwhile; then nobody waits for this answer.
-  const trace = newest === id && outcome.plan !== null ? problem.trace(outcome.plan) : null;
-  return { kind: "solved", outcome, trace };
+  if (newest !== id) return { kind: "refused", message: "" };
+  return { kind: "solved", scene: problem.scene(), outcome, trace: problem.trace(outcome.plan ?? []) };
+}
+
+async function advise(problem: Problem, options: SolveOptions, id: number): Promise<Answer> {
+  const run = problem.remedy(options);
+  await inSlices(
+    run,
+    () => cancelled === id || newest !== id,
+    () => undefined,
+  );
+  const advice = run.outcome();
+  run.free();
+  return { kind: "advised", advice };
+}
+
+/** Options that do not fit are no reason not to show the document. */
+function start(problem: Problem, options: SolveOptions, show: () => void): ReturnType<Problem["solve"]> {
+  try {
+    return problem.solve(options);
+  } catch (error) {
+    show();
+    throw error;
+  }
 }

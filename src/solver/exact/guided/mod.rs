@@ -5,15 +5,18 @@
 //! down, and leave out every node from which a plan cannot be worth it any more, or not soon enough:
 //!
 //! - for a goal to survive for an enemy, some state it believes must still be led to that goal along
-//!   the plan ([`twins`]),
+//!   the plan (`twins`),
 //! - for a goal to die for a friend, every state it believes must still be freed from it
-//!   ([`doubts`]).
+//!   (`doubts`).
 //!
-//! Both look at pairs of states only, so they are bounds and no more; [`estimates`] puts them
-//! together, and a [`pass`] searches. The first value with a plan is the best one, since there is
+//! Both look at pairs of states only, so they are bounds and no more; `estimates` puts them
+//! together, and a `pass` searches. The first value with a plan is the best one, since there is
 //! none above; what is left out makes no difference to that. Where a pass takes long, lower values
 //! are tried in between, so that there is a good plan early; the passes above then go on until each
 //! has found one or come to its end.
+//!
+//! Where the bounds say too little, the passes go through many nodes more than there are to tell
+//! apart; after `MOST_VISITS` the plain engine takes over, and the best plan found is kept.
 //!
 //! State spaces with too many pairs, and searches for all pairs of survivor counts, are left to
 //! [`layers`](super::layers) and [`closure`](super::closure).
@@ -30,7 +33,7 @@ use std::sync::Arc;
 
 use crate::limits::LimitReached;
 use crate::plan::Plan;
-use crate::problem::{JointSpace, Problem};
+use crate::problem::{JointSpace, Problem, SurvivorCounts};
 use crate::solver::Options;
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::live::Live;
@@ -42,6 +45,10 @@ use pass::{Pass, Went};
 /// Visits of a pass before lower values have their first turn. Each further turn is twice as long
 /// as the one before.
 const FIRST_TURN: u64 = 2_000;
+
+/// More visits than small problems need; then the bounds do not help, and going through all nodes is
+/// the better way.
+const MOST_VISITS: u64 = 500_000;
 
 /// When stopped without a plan, the shortest way is followed to the goal as long as no more believed
 /// states have been gone through: who stops does not want to wait.
@@ -60,8 +67,8 @@ enum Stage {
     /// So many tables know what they say of the first node.
     Preparing(Box<Ground>, usize),
     Passes(Box<Passes>),
-    /// Too large for tables.
-    Plain(Box<dyn Engine>),
+    /// Too large for tables, or led nowhere; with the best plan found until then.
+    Plain(Box<dyn Engine>, Option<(SurvivorCounts, Plan)>),
 }
 
 /// The passes, from the greatest value down.
@@ -95,12 +102,16 @@ impl Guided {
         Self { problem, options: options.clone(), horizon, stage: Stage::New }
     }
 
+    fn plain(&self, best: Option<(SurvivorCounts, Plan)>) -> Stage {
+        let problem = Arc::clone(&self.problem);
+        Stage::Plain(super::plain(problem, &self.options, self.horizon), best)
+    }
+
     fn prepare(&self) -> Result<Stage, LimitReached> {
         let mut joint = JointSpace::new(Arc::clone(&self.problem), self.options.limits);
         let bounds = self.options.heeded_bounds();
         let Some(estimates) = Estimates::new(&mut joint, &bounds)? else {
-            let problem = Arc::clone(&self.problem);
-            return Ok(Stage::Plain(super::plain(problem, &self.options, self.horizon)));
+            return Ok(self.plain(None));
         };
         let live = Live::new(&mut joint)?;
         let ground = Ground::new(joint, bounds, live, estimates, self.horizon)?;
@@ -198,7 +209,7 @@ impl Engine for Guided {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         match &mut self.stage {
             Stage::New => self.stage = self.prepare()?,
-            Stage::Plain(engine) => return engine.advance(budget),
+            Stage::Plain(engine, _) => return engine.advance(budget),
             Stage::Preparing(ground, settled) => {
                 if !ground.can_reach_goal(self.horizon) {
                     return Ok(Advance::Finished(Finding::infeasible()));
@@ -212,8 +223,13 @@ impl Engine for Guided {
                 }
             }
             Stage::Passes(passes) => {
-                if passes.advance(budget)? {
+                let left = MOST_VISITS - passes.ground.visits.min(MOST_VISITS);
+                if passes.advance(budget.min(left))? {
                     return Ok(Advance::Finished(passes.finding()));
+                }
+                if passes.ground.visits >= MOST_VISITS {
+                    let best = passes.ground.best.take();
+                    self.stage = self.plain(best);
                 }
             }
         }
@@ -223,7 +239,15 @@ impl Engine for Guided {
     fn stop(&mut self, limit: LimitReached) -> Finding {
         let ground = match &mut self.stage {
             Stage::New => return Finding::stopped(None, limit),
-            Stage::Plain(engine) => return engine.stop(limit),
+            Stage::Plain(engine, best) => {
+                let mut finding = engine.stop(limit);
+                if finding.plan.is_none()
+                    && let Some((_, plan)) = best.take()
+                {
+                    finding = Finding::stopped(Some(plan), limit);
+                }
+                return finding;
+            }
             Stage::Preparing(ground, _) => ground,
             Stage::Passes(passes) => &mut passes.ground,
         };
@@ -240,7 +264,13 @@ impl Engine for Guided {
         progress.bound = Some(1.0);
         let best = match &self.stage {
             Stage::New => None,
-            Stage::Plain(engine) => return engine.report(progress),
+            Stage::Plain(engine, best) => {
+                engine.report(progress);
+                if progress.plan.is_some() {
+                    return;
+                }
+                best.as_ref()
+            }
             Stage::Preparing(ground, _) => ground.best.as_ref(),
             Stage::Passes(passes) => {
                 let most = problem.goals().len() as f64 - 1.0;
@@ -257,7 +287,7 @@ impl Engine for Guided {
     fn stats(&self) -> Stats {
         let ground = match &self.stage {
             Stage::New => return Stats::default(),
-            Stage::Plain(engine) => return engine.stats(),
+            Stage::Plain(engine, _) => return engine.stats(),
             Stage::Preparing(ground, _) => ground,
             Stage::Passes(passes) => &passes.ground,
         };

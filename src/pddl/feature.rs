@@ -1,0 +1,66 @@
+//! What PDDL has and this reader does not.
+
+use super::error::PddlError;
+use super::expression::{Expression, Expressions};
+
+/// What is read, for errors.
+const READ: &str = "STRIPS with :typing, :equality and :negative-preconditions";
+
+/// The requirements that are met.
+const MET: [&str; 4] = [":strips", ":typing", ":equality", ":negative-preconditions"];
+
+/// Names the feature that a word of PDDL belongs to.
+const FEATURES: &[(&str, &str)] = &[
+    ("or", ":disjunctive-preconditions"),
+    ("imply", ":disjunctive-preconditions"),
+    ("exists", ":existential-preconditions"),
+    ("forall", ":universal-preconditions"),
+    ("when", ":conditional-effects"),
+    ("preference", ":preferences"),
+    ("oneof", ":non-deterministic"),
+    ("probabilistic", ":probabilistic-effects"),
+    ("increase", ":action-costs"),
+    ("decrease", ":numeric-fluents"),
+    ("assign", ":numeric-fluents"),
+    ("scale-up", ":numeric-fluents"),
+    ("scale-down", ":numeric-fluents"),
+    ("<", ":numeric-fluents"),
+    (">", ":numeric-fluents"),
+    ("<=", ":numeric-fluents"),
+    (">=", ":numeric-fluents"),
+    ("at", ":timed-initial-literals"),
+    (":functions", ":action-costs or :numeric-fluents"),
+    (":metric", ":action-costs or :numeric-fluents"),
+    (":derived", ":derived-predicates"),
+    (":axiom", ":derived-predicates"),
+    (":constraints", ":constraints"),
+    (":durative-action", ":durative-actions"),
+    (":process", ":time"),
+    (":event", ":time"),
+    (":timeless", ":timeless of an older PDDL"),
+    (":vars", ":vars of an older PDDL"),
+    (":duration", ":durative-actions"),
+    (":condition", ":durative-actions"),
+    (":cost", ":action-costs"),
+];
+
+/// The error for a word that belongs to a feature not read; none for another word.
+pub(super) fn unsupported(place: Expression<'_>, word: Expression<'_>) -> Option<PddlError> {
+    let (_, feature) = FEATURES.iter().find(|(known, _)| word.is(known))?;
+    Some(place.wrong(format!("{}, which needs {feature}", place.shown()), READ))
+}
+
+/// Checks a `:requirements` section.
+pub(super) fn check_requirements(items: Expressions<'_>) -> Result<(), PddlError> {
+    for item in items {
+        match item.symbol() {
+            Some(_) if MET.iter().any(|met| item.is(met)) => {}
+            Some(symbol) if symbol.starts_with(':') => {
+                let found = format!("the unsupported requirement {}", item.shown());
+                return Err(item.wrong(found, READ));
+            }
+            _ => return Err(item.expected("a requirement, as in :strips")),
+        }
+    }
+    Ok(())
+}

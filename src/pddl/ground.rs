@@ -1,0 +1,345 @@
+//! Grounding: from a domain and a task to facts and operators.
+//!
+//! What is kept is what can be reached when deletes are ignored. Atoms that hold in every reachable
+//! state are no facts of the ground task, nor are those that never hold. A negative precondition on
+//! an atom that may hold is compiled away by a fact for its negation.
+
+use fixedbitset::FixedBitSet;
+use rustc_hash::FxHashMap;
+use thiserror::Error;
+
+use super::atom::Atom;
+use super::atom_table::AtomTable;
+use super::condition::Condition;
+use super::definition::TaskDefinition;
+use super::domain::Domain;
+use super::exclusive::Exclusive;
+use super::invariant::candidates;
+use super::object::ObjectId;
+use super::operators::{GroundOperator, Possible, keep_possible, operators};
+use super::reach::{object, reach};
+use super::rule::Rule;
+use crate::task::{Action, Fact, State, Task, TaskBuilder};
+
+/// The most ground operators.
+pub const MAX_OPERATORS: usize = if cfg!(target_arch = "wasm32") { 100_000 } else { 1_000_000 };
+
+/// The most ground atoms.
+pub const MAX_ATOMS: usize = if cfg!(target_arch = "wasm32") { 200_000 } else { 2_000_000 };
+
+/// The most literals in all ground operators together.
+pub const MAX_LITERALS_IN_ALL: usize =
+    if cfg!(target_arch = "wasm32") { 2_000_000 } else { 20_000_000 };
+
+/// Why a task was not grounded.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum GroundError {
+    /// More operators than allowed.
+    #[error("grounding limit reached: {limit} operators")]
+    Operators {
+        /// The limit.
+        limit: usize,
+    },
+    /// More atoms than allowed.
+    #[error("grounding limit reached: {limit} ground atoms")]
+    Atoms {
+        /// The limit.
+        limit: usize,
+    },
+    /// More literals in preconditions and effects than allowed.
+    #[error("grounding limit reached: {limit} literals in ground operators")]
+    Literals {
+        /// The limit.
+        limit: usize,
+    },
+    /// More work than allowed.
+    #[error("grounding limit reached: {limit} atoms tried against preconditions")]
+    Steps {
+        /// The limit.
+        limit: u64,
+    },
+    /// The ground task contradicts itself. A defect of this program: please report it.
+    #[error("internal error: {0}")]
+    Internal(String),
+}
+
+/// What is asked of the grounding beside the task itself.
+#[derive(Debug, Clone, Default)]
+pub struct More {
+    /// Further states that something may begin in, each complete like an `:init`. The operators
+    /// are those that can apply after any of them.
+    pub states: Vec<Vec<Atom>>,
+    /// Further conditions: candidate goals, what a sensor looks at.
+    pub conditions: Vec<Condition>,
+}
+
+/// A ground task and what its numbers mean.
+#[derive(Debug, Clone)]
+pub struct Grounded {
+    /// The task. Its goal is that of the definition; where that can never hold, a fact that never
+    /// does. Each action has one operator, and both have the same number.
+    pub task: Task,
+    /// The facts of the goal; none where the goal can never hold.
+    pub goal: Option<Vec<Fact>>,
+    /// The same for each of the further conditions, in their order.
+    pub conditions: Vec<Option<Vec<Fact>>>,
+    /// The further states, in their order.
+    pub states: Vec<State>,
+    instances: Vec<(u32, Box<[ObjectId]>)>,
+    atoms: Vec<(Atom, bool)>,
+}
+
+impl Grounded {
+    /// The position of an action's schema in the domain.
+    pub fn schema(&self, action: Action) -> usize {
+        self.instances[action.index()].0 as usize
+    }
+
+    /// The objects in the places of the schema's parameters.
+    pub fn arguments(&self, action: Action) -> &[ObjectId] {
+        &self.instances[action.index()].1
+    }
+
+    /// The atom of a fact, and whether the fact is that it does not hold. None for the fact of a
+    /// goal that can never hold.
+    pub fn atom(&self, fact: Fact) -> Option<(&Atom, bool)> {
+        self.atoms.get(fact.index()).map(|(atom, negated)| (atom, *negated))
+    }
+}
+
+/// Grounds a task.
+///
+/// # Errors
+///
+/// [`GroundError`] where a limit is met.
+///
+/// ```
+/// use mo_copp::pddl::{More, ground, read_domain, read_task};
+/// let domain = read_domain(
+///     "(define (domain lamps) (:predicates (lit ?x) (near ?x))
+///        (:action switch :parameters (?x) :precondition (near ?x) :effect (lit ?x)))",
+/// )?;
+/// let task = read_task(
+///     &domain,
+///     "(define (problem two) (:domain lamps) (:objects a b) (:init (near a)) (:goal (lit a)))",
+/// )?;
+/// let grounded = ground(&domain, &task, &More::default())?;
+/// let facts: Vec<_> = grounded.task.facts().map(|f| grounded.task.fact_name(f)).collect();
+/// assert_eq!(facts, ["(lit a)"]);
+/// assert_eq!(grounded.task.action_count(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn ground(
+    domain: &Domain,
+    task: &TaskDefinition,
+    more: &More,
+) -> Result<Grounded, GroundError> {
+    let rules: Vec<Rule<'_>> = (0..domain.schemas.len())
+        .filter_map(|number| Rule::new(domain, number, &task.objects))
+        .collect();
+    let states: Vec<&[Atom]> =
+        std::iter::once(&task.initial).chain(&more.states).map(Vec::as_slice).collect();
+    let initial: Vec<&Atom> = states.iter().copied().flatten().collect();
+    let reached = reach(domain, &rules, &task.objects, &initial)?;
+    let (atoms, mut operators) = operators(&rules, reached)?;
+    let initial: Vec<FixedBitSet> = states
+        .iter()
+        .map(|state| {
+            let mut set = FixedBitSet::with_capacity(atoms.len());
+            set.extend(state.iter().filter_map(|atom| atoms.find_atom(atom)).map(|n| n as usize));
+            set
+        })
+        .collect();
+    let mut possible = keep_possible(&mut operators, atoms.len(), &initial);
+    let candidates = candidates(domain, &rules);
+    let exclusive = Exclusive::new(&candidates, &atoms, &operators, &initial);
+    let known = operators.len();
+    operators.retain(|operator| !exclusive.contradict(&operator.positive));
+    if operators.len() < known {
+        possible = keep_possible(&mut operators, atoms.len(), &initial);
+    }
+    let key =
+        |operator: &GroundOperator| (operator.instance.rule, operator.instance.values.clone());
+    operators.sort_by_cached_key(key);
+    let conditions: Vec<&Condition> = std::iter::once(&task.goal).chain(&more.conditions).collect();
+    let facts = Facts::new(&atoms, &possible, &exclusive, &operators, &conditions);
+    facts.task(domain, task, &rules, &operators, &initial, &conditions)
+}
+
+/// Which atoms are facts, and which have a fact for their negation.
+struct Facts<'a> {
+    atoms: &'a AtomTable,
+    possible: &'a Possible,
+    exclusive: &'a Exclusive,
+    /// Atom and whether it is negated, in the order of the facts.
+    literals: Vec<(u32, bool)>,
+    numbers: FxHashMap<(u32, bool), usize>,
+}
+
+impl<'a> Facts<'a> {
+    fn new(
+        atoms: &'a AtomTable,
+        possible: &'a Possible,
+        exclusive: &'a Exclusive,
+        operators: &[GroundOperator],
+        conditions: &[&Condition],
+    ) -> Self {
+        let changes = |atom: &u32| {
+            possible.hold.contains(*atom as usize) && possible.fail.contains(*atom as usize)
+        };
+        let mut facts: Vec<(u32, bool)> =
+            (0..atoms.len() as u32).filter(changes).map(|atom| (atom, false)).collect();
+        let wanted = operators.iter().flat_map(|operator| operator.negative.iter().copied());
+        let in_conditions = conditions.iter().flat_map(|condition| &condition.negative);
+        let in_conditions = in_conditions.filter_map(|atom| atoms.find_atom(atom));
+        let mut negated: Vec<u32> = wanted.chain(in_conditions).filter(changes).collect();
+        let order = |atom: &u32| {
+            let (predicate, objects) = atoms.get(*atom);
+            (predicate, objects.to_vec())
+        };
+        facts.sort_by_cached_key(|(atom, _)| order(atom));
+        negated.sort_unstable();
+        negated.dedup();
+        negated.sort_by_cached_key(order);
+        facts.extend(negated.into_iter().map(|atom| (atom, true)));
+        let numbers = (0..).zip(&facts).map(|(number, &fact)| (fact, number)).collect();
+        Self { atoms, possible, exclusive, literals: facts, numbers }
+    }
+
+    /// The facts of literals, those left out that always hold; none where one never does.
+    fn meaning(
+        &self,
+        facts: &[Fact],
+        literals: impl Iterator<Item = (Option<u32>, bool)>,
+    ) -> Option<Vec<Fact>> {
+        let mut found = Vec::new();
+        for (atom, negated) in literals {
+            // An atom that is not there never holds.
+            let Some(atom) = atom else {
+                if negated {
+                    continue;
+                }
+                return None;
+            };
+            let holds = self.possible.hold.contains(atom as usize);
+            let fails = self.possible.fail.contains(atom as usize);
+            match (holds, fails) {
+                (true, true) => found.push(facts[*self.numbers.get(&(atom, negated))?]),
+                (true, false) if negated => return None,
+                (false, _) if !negated => return None,
+                _ => {}
+            }
+        }
+        Some(found)
+    }
+
+    fn meaning_of(&self, facts: &[Fact], condition: &Condition) -> Option<Vec<Fact>> {
+        if condition.is_false
+            || condition.positive.iter().any(|atom| condition.negative.binary_search(atom).is_ok())
+        {
+            return None;
+        }
+        let held: Vec<u32> =
+            condition.positive.iter().filter_map(|atom| self.atoms.find_atom(atom)).collect();
+        if self.exclusive.contradict(&held) {
+            return None;
+        }
+        let positive = condition.positive.iter().map(|atom| (self.atoms.find_atom(atom), false));
+        let negative = condition.negative.iter().map(|atom| (self.atoms.find_atom(atom), true));
+        self.meaning(facts, positive.chain(negative))
+    }
+
+    fn task(
+        &self,
+        domain: &Domain,
+        definition: &TaskDefinition,
+        rules: &[Rule<'_>],
+        operators: &[GroundOperator],
+        initial: &[FixedBitSet],
+        conditions: &[&Condition],
+    ) -> Result<Grounded, GroundError> {
+        let mut builder = TaskBuilder::default();
+        let mut atoms = Vec::with_capacity(self.literals.len());
+        let mut facts = Vec::with_capacity(self.literals.len());
+        for &(atom, negated) in &self.literals {
+            let (predicate, objects) = self.atoms.get(atom);
+            let mut name = "(".to_owned() + domain.predicates.name(predicate);
+            for &object in objects {
+                name.push(' ');
+                name.push_str(definition.objects.name(object));
+            }
+            name.push(')');
+            if negated {
+                name = format!("(not {name})");
+            }
+            facts.push(builder.fact(name));
+            atoms.push((Atom { predicate, objects: objects.into() }, negated));
+        }
+        let numbers = |atoms: &[u32], negated: bool, into: &mut Vec<Fact>| {
+            let known = atoms.iter().filter_map(|&atom| self.numbers.get(&(atom, negated)));
+            into.extend(known.map(|&number| facts[number]));
+        };
+        let mut instances = Vec::with_capacity(operators.len());
+        let [mut pre, mut add, mut delete] = [const { Vec::new() }; 3];
+        for operator in operators {
+            pre.clear();
+            add.clear();
+            delete.clear();
+            numbers(&operator.positive, false, &mut pre);
+            numbers(&operator.negative, true, &mut pre);
+            numbers(&operator.add, false, &mut add);
+            numbers(&operator.delete, true, &mut add);
+            numbers(&operator.delete, false, &mut delete);
+            numbers(&operator.add, true, &mut delete);
+            let rule = &rules[operator.instance.rule as usize];
+            let arguments: Box<[ObjectId]> = rule
+                .arguments
+                .iter()
+                .map(|&term| object(term, &operator.instance.values))
+                .collect();
+            let mut name = "(".to_owned() + &domain.schemas[rule.schema].name;
+            for &argument in &arguments {
+                name.push(' ');
+                name.push_str(definition.objects.name(argument));
+            }
+            name.push(')');
+            builder.operator(&name, &pre, &add, &delete);
+            instances.push((rule.schema as u32, arguments));
+        }
+        for set in self.exclusive.chosen(|atom| self.numbers.contains_key(&(atom, false))) {
+            let mut group = Vec::with_capacity(set.len());
+            numbers(&set, false, &mut group);
+            builder.exclusive(group);
+        }
+        let mut meanings = conditions
+            .iter()
+            .map(|condition| self.meaning_of(&facts, condition))
+            .collect::<Vec<_>>();
+        let meanings_left = meanings.split_off(1);
+        let goal = meanings.pop().flatten();
+        let goal_facts = match &goal {
+            Some(goal) => goal.clone(),
+            None => vec![builder.fact("a goal that can never hold")],
+        };
+        let mut states = Vec::with_capacity(initial.len());
+        for state in initial {
+            let mut holding = Vec::new();
+            for (&(atom, negated), &fact) in self.literals.iter().zip(&facts) {
+                if state.contains(atom as usize) != negated {
+                    holding.push(fact);
+                }
+            }
+            states.push(holding);
+        }
+        let task = builder
+            .build(&states[0], &goal_facts)
+            .map_err(|error| GroundError::Internal(error.to_string()))?;
+        let pack = |state: &Vec<Fact>| {
+            task.state(state).map_err(|_| {
+                GroundError::Internal("a state holds facts that exclude each other".to_owned())
+            })
+        };
+        let states = states[1..].iter().map(pack).collect::<Result<_, _>>()?;
+        Ok(Grounded { goal, conditions: meanings_left, states, instances, atoms, task })
+    }
+}

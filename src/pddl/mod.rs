@@ -1,0 +1,50 @@
+//! PDDL: a reader and a grounder for STRIPS.
+//!
+//! PDDL ("The planning domain definition language", AIPS-98 Planning Competition Committee, 1998) is how classical
+//! planning tasks are written. Read are `:strips`, `:typing` with `either`, `:equality` and
+//! `:negative-preconditions`; anything else is refused by its name. Names are in small letters.
+//!
+//! - [`read_domain`] and [`read_task`] read the two files of a task, [`read_condition`] and
+//!   [`read_state`] further conditions and states over its objects,
+//! - [`ground`](ground()) makes a [`Task`](crate::task::Task) of them that holds what can be reached.
+//!
+//! Reading goes text → expressions with places (`expression`) → domain, task; every error names line
+//! and column. Grounding goes schemas → rules (`rule`) → reachable atoms and instances (`reach`,
+//! `join`) → operators (`operators`) → facts and the task (`ground`).
+
+mod atom;
+mod atom_table;
+mod condition;
+mod definition;
+mod domain;
+mod error;
+mod exclusive;
+mod expression;
+mod feature;
+mod ground;
+mod invariant;
+mod join;
+mod literals;
+mod object;
+mod operators;
+mod predicate;
+mod reach;
+mod rule;
+mod schema;
+mod types;
+
+pub use atom::{Atom, LiftedAtom, Term};
+pub use condition::Condition;
+pub use definition::{TaskDefinition, read_condition, read_state, read_task};
+pub use domain::{Domain, read_domain};
+pub use error::PddlError;
+pub use expression::{MAX_BYTES, MAX_DEPTH};
+pub use ground::{
+    GroundError, Grounded, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS, More, ground,
+};
+pub use join::MAX_JOIN_STEPS;
+pub use literals::{Literals, MAX_LITERALS};
+pub use object::{ObjectId, Objects};
+pub use predicate::{PredicateId, Predicates};
+pub use schema::{MAX_PARAMETERS, Parameters, Schema};
+pub use types::{MAX_ALTERNATIVES, MAX_TYPES, TypeId, TypeSet, Types};

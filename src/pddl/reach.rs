@@ -1,0 +1,154 @@
+//! What can be reached when deletes and negative preconditions are ignored: the atoms, and the
+//! operators that can apply.
+//!
+//! Every atom is taken up once, in the order in which it is found, and joined with those taken up
+//! before it (semi-naive evaluation, as of a Datalog program: Helmert 2009,
+//! doi:10.1016/j.artint.2008.10.013). Predicates that no action changes are there from the start.
+
+use super::atom::{Atom, LiftedAtom, Term};
+use super::atom_table::AtomTable;
+use super::domain::Domain;
+use super::ground::{GroundError, MAX_ATOMS, MAX_OPERATORS};
+use super::join::{Found, Index, Join};
+use super::object::{ObjectId, Objects};
+use super::rule::Rule;
+
+/// A rule with values for its slots.
+#[derive(Debug, Clone)]
+pub(super) struct Instance {
+    pub rule: u32,
+    pub values: Box<[ObjectId]>,
+}
+
+/// What was reached.
+#[derive(Debug)]
+pub(super) struct Reached {
+    pub atoms: AtomTable,
+    pub instances: Vec<Instance>,
+}
+
+/// The object that a term of a rule stands for.
+pub(super) fn object(term: Term, values: &[ObjectId]) -> ObjectId {
+    match term {
+        Term::Object(object) => object,
+        Term::Parameter(slot) => values[slot as usize],
+    }
+}
+
+/// Writes the objects of a lifted atom into `objects`.
+pub(super) fn instantiate(atom: &LiftedAtom, values: &[ObjectId], objects: &mut Vec<ObjectId>) {
+    objects.clear();
+    objects.extend(atom.terms.iter().map(|&term| object(term, values)));
+}
+
+/// Everything that the rules can reach from atoms that hold in some initial state.
+pub(super) fn reach(
+    domain: &Domain,
+    rules: &[Rule<'_>],
+    objects: &Objects,
+    initial: &[&Atom],
+) -> Result<Reached, GroundError> {
+    let mut changes = vec![false; domain.predicates.len()];
+    for atom in rules.iter().flat_map(|rule| &rule.add) {
+        changes[atom.predicate.index()] = true;
+    }
+    let (fluent, fixed): (Vec<&Atom>, Vec<&Atom>) =
+        initial.iter().partition(|atom| changes[atom.predicate.index()]);
+    let mut atoms = AtomTable::new();
+    let mut index = Index::default();
+    for atom in fixed {
+        let known = atoms.len();
+        let number = atoms.intern(atom.predicate, &atom.objects);
+        if atoms.len() > known {
+            index.insert(&atoms, number);
+        }
+    }
+    let fixed_count = atoms.len() as u32;
+    for atom in fluent {
+        atoms.intern(atom.predicate, &atom.objects);
+    }
+    // For each predicate the preconditions that an atom of it may be the last to match.
+    let mut triggers: Vec<Vec<(usize, usize)>> = vec![Vec::new(); domain.predicates.len()];
+    for (number, rule) in rules.iter().enumerate() {
+        for (place, atom) in rule.positive.iter().enumerate() {
+            if changes[atom.predicate.index()] {
+                triggers[atom.predicate.index()].push((number, place));
+            }
+        }
+    }
+    let mut steps = 0;
+    let mut found = Found::default();
+    let mut reached = Reached { atoms, instances: Vec::new() };
+    for (number, rule) in rules.iter().enumerate() {
+        if rule.positive.iter().all(|atom| !changes[atom.predicate.index()]) {
+            let mut join = Join {
+                rule,
+                objects,
+                atoms: &reached.atoms,
+                index: &index,
+                newest: fixed_count,
+                trigger: 0,
+                values: vec![None; rule.slots.len()],
+                open: (0..rule.positive.len()).collect(),
+                steps: &mut steps,
+                found: &mut found,
+            };
+            join.rest()?;
+            reached.take(number, rule, &mut found)?;
+        }
+    }
+    let mut next = fixed_count;
+    while (next as usize) < reached.atoms.len() {
+        let (predicate, _) = reached.atoms.get(next);
+        index.insert(&reached.atoms, next);
+        for &(number, trigger) in &triggers[predicate.index()] {
+            let rule = &rules[number];
+            let mut join = Join {
+                rule,
+                objects,
+                atoms: &reached.atoms,
+                index: &index,
+                newest: next,
+                trigger,
+                values: vec![None; rule.slots.len()],
+                open: (0..rule.positive.len()).filter(|&place| place != trigger).collect(),
+                steps: &mut steps,
+                found: &mut found,
+            };
+            join.start()?;
+            reached.take(number, rule, &mut found)?;
+        }
+        next += 1;
+    }
+    Ok(reached)
+}
+
+impl Reached {
+    /// Takes up instances and what they add.
+    fn take(
+        &mut self,
+        number: usize,
+        rule: &Rule<'_>,
+        found: &mut Found,
+    ) -> Result<(), GroundError> {
+        if self.instances.len() + found.count > MAX_OPERATORS {
+            return Err(GroundError::Operators { limit: MAX_OPERATORS });
+        }
+        let width = rule.slots.len();
+        let mut objects = Vec::new();
+        for instance in 0..found.count {
+            let values = &found.values[instance * width..][..width];
+            for atom in &rule.add {
+                instantiate(atom, values, &mut objects);
+                self.atoms.intern(atom.predicate, &objects);
+            }
+            if self.atoms.len() > MAX_ATOMS {
+                return Err(GroundError::Atoms { limit: MAX_ATOMS });
+            }
+            self.instances.push(Instance { rule: number as u32, values: values.into() });
+        }
+        found.count = 0;
+        found.values.clear();
+        Ok(())
+    }
+}

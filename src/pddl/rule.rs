@@ -1,0 +1,137 @@
+//! Action schemas as grounding sees them: equalities are substituted.
+
+use super::atom::{LiftedAtom, Term};
+use super::domain::Domain;
+use super::object::{ObjectId, Objects};
+use super::schema::Schema;
+use super::types::TypeSet;
+
+/// A schema over *slots*: parameters that must be equal share one, and a parameter that must equal
+/// an object is that object. [`Term::Parameter`] stands for a slot here.
+#[derive(Debug)]
+pub(super) struct Rule<'a> {
+    /// The number of the schema.
+    pub schema: usize,
+    /// What each parameter of the schema is.
+    pub arguments: Vec<Term>,
+    /// The types that each slot must be of.
+    pub slots: Vec<Vec<&'a TypeSet>>,
+    pub positive: Vec<LiftedAtom>,
+    pub negative: Vec<LiftedAtom>,
+    pub unequal: Vec<(Term, Term)>,
+    pub add: Vec<LiftedAtom>,
+    /// What is also added is left out where that can be seen here.
+    pub delete: Vec<LiftedAtom>,
+    /// For each slot in no positive precondition, the objects of its types.
+    pub free: Vec<(u32, Vec<ObjectId>)>,
+}
+
+impl<'a> Rule<'a> {
+    /// The rule of a schema; none where its equalities can never hold.
+    pub(super) fn new(domain: &'a Domain, number: usize, objects: &Objects) -> Option<Self> {
+        let schema = &domain.schemas[number];
+        let arguments = substitute(schema)?;
+        let mut slots: Vec<Vec<&TypeSet>> = Vec::new();
+        for (position, &term) in (0..).zip(&arguments) {
+            let types = schema.parameters.types(position);
+            match term {
+                Term::Object(object) if !objects.types(object).is_within(types) => return None,
+                Term::Object(_) => {}
+                Term::Parameter(slot) => {
+                    let slot = slot as usize;
+                    slots.resize_with(slots.len().max(slot + 1), Vec::new);
+                    slots[slot].push(types);
+                }
+            }
+        }
+        let replace = |term: &Term| match *term {
+            Term::Parameter(position) => arguments[position as usize],
+            object @ Term::Object(_) => object,
+        };
+        let all = |atoms: &[LiftedAtom]| {
+            let atom = |atom: &LiftedAtom| LiftedAtom {
+                predicate: atom.predicate,
+                terms: atom.terms.iter().map(replace).collect(),
+            };
+            let mut atoms: Vec<LiftedAtom> = atoms.iter().map(atom).collect();
+            atoms.sort_unstable();
+            atoms.dedup();
+            atoms
+        };
+        let unequal = schema.precondition.unequal.iter();
+        let unequal: Vec<_> = unequal.map(|(a, b)| (replace(a), replace(b))).collect();
+        if unequal.iter().any(|(one, other)| one == other) {
+            return None;
+        }
+        let positive = all(&schema.precondition.positive);
+        let add = all(&schema.effect.positive);
+        let mut delete = all(&schema.effect.negative);
+        delete.retain(|atom| add.binary_search(atom).is_err());
+        let mut rule = Self {
+            schema: number,
+            slots,
+            negative: all(&schema.precondition.negative),
+            unequal,
+            add,
+            delete,
+            free: Vec::new(),
+            positive,
+            arguments,
+        };
+        rule.free = rule.free_slots(objects);
+        Some(rule)
+    }
+
+    fn free_slots(&self, objects: &Objects) -> Vec<(u32, Vec<ObjectId>)> {
+        let mut bound = vec![false; self.slots.len()];
+        for term in self.positive.iter().flat_map(|atom| &atom.terms) {
+            if let Term::Parameter(slot) = term {
+                bound[*slot as usize] = true;
+            }
+        }
+        let free = (0..self.slots.len() as u32).filter(|&slot| !bound[slot as usize]);
+        let of_types = |slot| objects.ids().filter(|&id| self.fits(slot, id, objects)).collect();
+        free.map(|slot| (slot, of_types(slot))).collect()
+    }
+
+    /// Whether an object is of the types of a slot.
+    pub(super) fn fits(&self, slot: u32, object: ObjectId, objects: &Objects) -> bool {
+        let types = objects.types(object);
+        self.slots[slot as usize].iter().all(|wanted| types.is_within(wanted))
+    }
+}
+
+/// What each parameter is once the equalities are heeded; none where they contradict each other.
+fn substitute(schema: &Schema) -> Option<Vec<Term>> {
+    let count = schema.parameters.len() as u32;
+    let mut class: Vec<Term> = (0..count).map(Term::Parameter).collect();
+    for &(one, other) in &schema.precondition.equal {
+        let find = |term: Term| match term {
+            Term::Parameter(position) => class[position as usize],
+            Term::Object(_) => term,
+        };
+        let (from, to) = match (find(one), find(other)) {
+            (one, other) if one == other => continue,
+            (Term::Object(_), Term::Object(_)) => return None,
+            (object @ Term::Object(_), parameter) | (parameter, object) => (parameter, object),
+        };
+        for term in &mut class {
+            if *term == from {
+                *term = to;
+            }
+        }
+    }
+    // The parameters that are left, numbered without gaps.
+    let mut slots: Vec<Term> = Vec::new();
+    let mut number = |term: Term| match term {
+        Term::Object(_) => term,
+        Term::Parameter(_) => {
+            let known = slots.iter().position(|&slot| slot == term);
+            Term::Parameter(known.unwrap_or_else(|| {
+                slots.push(term);
+                slots.len() - 1
+            }) as u32)
+        }
+    };
+    Some(class.into_iter().map(&mut number).collect())
+}

@@ -1,0 +1,133 @@
+//! Action schemas: actions with parameters.
+
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+
+use super::atom::Scope;
+use super::error::PddlError;
+use super::expression::{Expression, Expressions};
+use super::feature::unsupported;
+use super::literals::Literals;
+use super::types::{TypeSet, Types, some};
+
+/// The most parameters of an action.
+pub const MAX_PARAMETERS: usize = 64;
+
+/// The parameters of an action.
+#[derive(Debug, Clone, Default)]
+pub struct Parameters {
+    names: Vec<String>,
+    types: Vec<Arc<TypeSet>>,
+    positions: FxHashMap<String, u32>,
+}
+
+impl Parameters {
+    fn read(types: &Types, place: Expression<'_>) -> Result<Self, PddlError> {
+        let mut parameters = Self::default();
+        let items = place.items("a list of parameters, as in (?x ?y - block)")?;
+        for (item, set) in types.list(items)? {
+            let name = item.variable()?;
+            if parameters.names.len() == MAX_PARAMETERS {
+                let found = format!("more than {MAX_PARAMETERS} parameters");
+                return Err(item.wrong(found, "at most that"));
+            }
+            let position = parameters.names.len() as u32;
+            if parameters.positions.insert(name.clone(), position).is_some() {
+                let found = format!("the parameter {} for the second time", item.shown());
+                return Err(item.wrong(found, "each parameter declared once"));
+            }
+            parameters.names.push(name);
+            parameters.types.push(set);
+        }
+        Ok(parameters)
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.names.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.names.is_empty()
+    }
+
+    /// The names, in small letters, their question marks included.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The types of the one at a position.
+    pub fn types(&self, position: u32) -> &TypeSet {
+        &self.types[position as usize]
+    }
+
+    /// The position of the one of this name.
+    pub(super) fn position(&self, name: &str) -> Option<u32> {
+        self.positions.get(name).copied()
+    }
+
+    /// Some names, for an error.
+    pub(super) fn written(&self) -> String {
+        if self.is_empty() {
+            return "there is none".to_owned();
+        }
+        some(self.names.iter().map(String::as_str))
+    }
+}
+
+/// An action with parameters.
+#[derive(Debug, Clone)]
+pub struct Schema {
+    /// Its name, in small letters.
+    pub name: String,
+    /// Its parameters.
+    pub parameters: Parameters,
+    /// What must hold before.
+    pub precondition: Literals,
+    /// What is added (positive) and deleted (negative). What is both is added.
+    pub effect: Literals,
+}
+
+impl Schema {
+    /// Reads what follows `:action`. The scope is that of the domain, without parameters.
+    pub(super) fn read(
+        scope: &Scope<'_>,
+        place: Expression<'_>,
+        mut items: Expressions<'_>,
+    ) -> Result<Self, PddlError> {
+        const EXPECTED: &str = ":parameters, :precondition or :effect";
+        let Some(name) = items.next() else {
+            return Err(place.wrong("an action without a name", "(:action name …)"));
+        };
+        let name = name.name("the name of an action")?;
+        let mut parts = [None; 3];
+        while let Some(key) = items.next() {
+            let Some(part) =
+                [":parameters", ":precondition", ":effect"].iter().position(|known| key.is(known))
+            else {
+                return Err(unsupported(key, key).unwrap_or_else(|| key.expected(EXPECTED)));
+            };
+            let Some(value) = items.next() else {
+                return Err(key.wrong(format!("{} at the end", key.shown()), "what it says"));
+            };
+            if parts[part].replace(value).is_some() {
+                let found = format!("{} for the second time", key.shown());
+                return Err(key.wrong(found, "each part of an action once"));
+            }
+        }
+        let [parameters, precondition, effect] = parts;
+        let parameters = match parameters {
+            Some(place) => Parameters::read(scope.types, place)?,
+            None => Parameters::default(),
+        };
+        let scope = Scope { parameters: Some(&parameters), ..*scope };
+        let read = |place: Option<Expression<'_>>, how: fn(&Scope<'_>, Expression<'_>) -> _| {
+            place.map_or_else(|| Ok(Literals::default()), |place| how(&scope, place))
+        };
+        let precondition = read(precondition, Literals::condition)?;
+        let effect = read(effect, Literals::effect)?;
+        Ok(Self { name, parameters, precondition, effect })
+    }
+}

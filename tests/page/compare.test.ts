@@ -1,0 +1,186 @@
+// All solvers side by side: what each found, against the core; skipping, cancelling, and lost workers.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { AxeBuilder } from "@axe-core/playwright";
+import type { Page } from "playwright-core";
+import type { SolveOptions } from "../../www/src/core.js";
+import { visit } from "./support/browser.js";
+import { example, solve } from "./support/core.js";
+import { endless, grid } from "./support/documents.js";
+import { attribute, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
+import { withKnownWorkers } from "./support/workers.js";
+
+const solvers: [title: string, options: SolveOptions][] = [
+  ["Exact search", { solver: "exact" }],
+  ["Integer program, belief flow", { solver: "ip", encoding: "belief-flow" }],
+  ["Heuristic search", { solver: "search" }],
+  ["Baseline", { solver: "baseline" }],
+  ["Obfuscate only", { solver: "obfuscate" }],
+  ["Legible only", { solver: "legible" }],
+  ["Integer program, paper", { solver: "ip", encoding: "paper" }],
+];
+const words = { optimal: "proved best", infeasible: "no plan" };
+
+const row = (page: Page, title: string) =>
+  page.locator(".comparison tbody tr").filter({ has: page.getByRole("rowheader", { name: title }) });
+const complete = (page: Page) => page.getByText("The comparison is complete.").waitFor({ state: "attached" });
+const edit = (page: Page, document: string) =>
+  page.evaluate(`document.querySelector("mo-copp-playground").playground.apply(${document})`);
+
+test("every solver's answer stands in the table, and choosing one shows its plan", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, grid());
+    await openTab(page, "Compare");
+    await page.getByLabel("Friend keeps at most").fill("1");
+    await press(page, "Compare all solvers");
+    await complete(page);
+    for (const [title, options] of solvers) {
+      const { outcome } = solve(grid(), { ...options, j: 1 });
+      const cells = await row(page, title).getByRole("cell").allInnerTexts();
+      const [answer, difference, enemy, friend, moves, time] = cells.map((text) => text.trim());
+      const expected = { ...words, solved: options.solver === "baseline" ? "reaches the goal" : undefined };
+      const said = expected[outcome.status as keyof typeof expected];
+      if (said !== undefined) assert.equal(answer, said, title);
+      else assert.match(answer ?? "", /^(meets the (friend’s bound|bounds)|reaches the goal)$/);
+      assert.equal(difference, String(outcome.goal_difference ?? "–"), title);
+      assert.equal(enemy, String(outcome.goals?.adversarial.length ?? "–"), title);
+      assert.equal(friend, String(outcome.goals?.cooperative.length ?? "–"), title);
+      assert.equal(moves, String(outcome.plan?.length ?? "–"), title);
+      assert.match(time ?? "", /\d+(\.\d)? (ms|s)$/);
+    }
+    const baseline = solve(grid(), { solver: "baseline" }).outcome;
+    await page.getByRole("button", { name: "Baseline" }).click();
+    await page.getByText("On the boards: the plan of Baseline").waitFor();
+    assert.equal(await page.getByRole("button", { name: "Baseline" }).getAttribute("aria-pressed"), "true");
+    assert.equal(await slider(page).getAttribute("max"), String(baseline.plan?.length));
+    assert.equal(await attribute(page, "data-gd"), String(baseline.goal_difference));
+    await press(page, "Back to the solver’s plan");
+    assert.equal(await page.getByRole("button", { name: "Baseline" }).getAttribute("aria-pressed"), "false");
+  }));
+
+test("the best plan's bounds are offered", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Compare");
+    const { outcome } = solve(example, { solver: "exact" });
+    const [k, j] = [outcome.goals?.adversarial.length, outcome.goals?.cooperative.length].map(String);
+    await press(page, `Ask for what the best plan reaches: k = ${k}, j = ${j}`);
+    assert.equal(await page.getByLabel("Enemy keeps at least").inputValue(), k);
+    assert.equal(await page.getByLabel("Friend keeps at most").inputValue(), j);
+    await openTab(page, "Solve");
+    assert.equal(await page.getByLabel("Enemy keeps at least").inputValue(), k);
+  }));
+
+test("results of an earlier problem are marked and can't be chosen", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, grid());
+    await openTab(page, "Compare");
+    await press(page, "Compare all solvers");
+    await complete(page);
+    assert.equal(await page.getByRole("button", { name: "Baseline" }).count(), 1);
+    await edit(page, grid({ start: [0, 1] }));
+    await page.getByText("These results are of an earlier problem, or of other bounds.").waitFor();
+    assert.equal(await page.getByRole("button", { name: "Baseline" }).count(), 0);
+    await press(page, "Compare again");
+    await complete(page);
+    const { outcome } = solve(grid({ start: [0, 1] }), { solver: "baseline" });
+    assert.equal(await row(page, "Baseline").getByRole("cell").nth(4).innerText(), String(outcome.plan?.length));
+    await page.getByRole("button", { name: "Raise k" }).click();
+    await page.getByText("These results are of an earlier problem, or of other bounds.").waitFor();
+  }));
+
+test("one is skipped with its best plan kept, the rest is cancelled, and the live answers go on meanwhile", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, endless());
+    await openTab(page, "Solve");
+    await press(page, "Cancel");
+    await statusIs(page, "feasible");
+    await openTab(page, "Compare");
+    await page.getByLabel("Each may take").selectOption({ label: "as long as it likes" });
+    await press(page, "Compare all solvers");
+    await page.getByText(/states looked at/).waitFor();
+    await press(page, "Skip this one");
+    await row(page, "Exact search").getByText("best found (skipped)").waitFor();
+    await page.getByRole("button", { name: "Exact search" }).waitFor();
+    await row(page, "Integer program, belief flow").getByText("proved best").waitFor();
+    await complete(page);
+    // A newer problem ends what is at work for the old one.
+    await press(page, "Compare again");
+    await row(page, "Exact search").getByText("at work…").waitFor();
+    await edit(page, grid());
+    await statusIs(page, "optimal");
+    await page.getByText("These results are of an earlier problem, or of other bounds.").waitFor();
+    await edit(page, endless());
+    await page.locator('[data-board="actor"] [data-cell="23,23"]').waitFor();
+    await press(page, "Compare again");
+    await page
+      .locator(".at-work")
+      .getByText(/states looked at/)
+      .waitFor();
+    await press(page, "Cancel");
+    await row(page, "Exact search").getByText("best found (skipped)").waitFor();
+    await row(page, "Baseline").getByText("not run").waitFor();
+  }));
+
+test("one that takes longer than it may is stopped, and says so", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, endless());
+    await openTab(page, "Compare");
+    await page.getByLabel("Each may take").selectOption({ label: "2 seconds" });
+    await press(page, "Compare all solvers");
+    await row(page, "Exact search").getByText("best found (out of time)").waitFor();
+    await complete(page);
+  }));
+
+test("a lost worker of the comparison is told, and the others run", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await useDocument(page, endless());
+      await openTab(page, "Solve");
+      await page.getByText(/states looked at/).waitFor();
+      await press(page, "Cancel");
+      await statusIs(page, "feasible");
+      await openTab(page, "Compare");
+      await press(page, "Compare all solvers");
+      await page
+        .locator(".at-work")
+        .getByText(/states looked at/)
+        .waitFor();
+      await page.evaluate("workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
+      await page.getByRole("alert").filter({ hasText: "The solver stopped unexpectedly (out of luck)" }).waitFor();
+      await complete(page);
+      await row(page, "Baseline").getByText("reaches the goal").waitFor();
+      assert.equal(await attribute(page, "data-status"), "feasible");
+    },
+    { before: withKnownWorkers },
+  ));
+
+for (const [width, colorScheme] of [
+  [320, "light"],
+  [1280, "dark"],
+] as const) {
+  test(`the table stays in a screen ${width} pixels wide and has no barrier, ${colorScheme}`, () =>
+    visit(
+      async ({ page }) => {
+        await statusIs(page, "optimal");
+        await useDocument(page, grid());
+        await openTab(page, "Compare");
+        await press(page, "Compare all solvers");
+        await complete(page);
+        await page.getByRole("button", { name: "Baseline" }).click();
+        await page.getByText("On the boards:").waitFor();
+        assert((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
+        const { violations } = await new AxeBuilder({ page }).include(".workbench").analyze();
+        assert.deepEqual(
+          violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]),
+          [],
+        );
+      },
+      { viewport: { width, height: 740 }, colorScheme, reducedMotion: "reduce" },
+    ));
+}

@@ -1,0 +1,220 @@
+// Documents as files: opened, dropped, saved, and typed in the document's tab.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { visit } from "./support/browser.js";
+import { replay, solve } from "./support/core.js";
+import { grid } from "./support/documents.js";
+import { documentOf } from "./support/gallery.js";
+import { dragMouse } from "./support/hands.js";
+import { drawn, openTab, press, statusIs, useDocument } from "./support/playground.js";
+
+const name = "<img src=x onerror=alert(1)>";
+const hostile = grid({
+  goals: [
+    { name, cell: [3, 0] },
+    { name: "G2", cell: [0, 0] },
+  ],
+  true_goal: name,
+});
+
+const cells = (page: Page, count: number) =>
+  page.waitForFunction(
+    (wanted) => document.querySelectorAll('[data-board="actor"] [data-cell]').length === wanted,
+    count,
+  );
+
+const jsonFile = (text: string, called = "problem.json") => ({
+  name: called,
+  mimeType: "application/json",
+  buffer: Buffer.from(text),
+});
+
+interface Dropped {
+  files?: { name: string; text: string }[];
+  text?: string;
+}
+
+/** Drags something over the page and drops it on a part of it. `meanwhile` runs before the drop. */
+async function drop(page: Page, on: string, what: Dropped, meanwhile?: () => Promise<unknown>): Promise<void> {
+  const data = await page.evaluateHandle(({ files = [], text }: Dropped) => {
+    const transfer = new DataTransfer();
+    for (const file of files) transfer.items.add(new File([file.text], file.name, { type: "application/json" }));
+    if (text !== undefined) transfer.setData("text/plain", text);
+    return transfer;
+  }, what);
+  await page.dispatchEvent(on, "dragenter", { dataTransfer: data });
+  await page.dispatchEvent(on, "dragover", { dataTransfer: data });
+  await meanwhile?.();
+  await page.dispatchEvent(on, "drop", { dataTransfer: data });
+}
+
+const alert = (page: Page) => page.getByRole("alert").first();
+
+/** What is saved when a button is pressed. */
+async function saved(page: Page, button: string): Promise<{ name: string; text: string }> {
+  const [download] = await Promise.all([page.waitForEvent("download"), press(page, button)]);
+  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
+}
+
+test("a file dropped anywhere is opened; while it is dragged the page shows where it goes", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const sign = page.getByText("Drop the problem document here");
+    for (const [on, width] of [
+      ["h1", 5],
+      [".stepper", 6],
+    ] as const) {
+      const file = { name: "a.json", text: grid({ width }) };
+      await drop(page, on, { files: [file] }, () => sign.waitFor());
+      await sign.waitFor({ state: "hidden" });
+      await cells(page, width * 3);
+      await statusIs(page, "optimal");
+    }
+  }));
+
+test("the sign goes when the file is dragged away again", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const sign = page.getByText("Drop the problem document here");
+    const data = await page.evaluateHandle(() => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File(["{}"], "a.json"));
+      return transfer;
+    });
+    await page.dispatchEvent("h1", "dragenter", { dataTransfer: data });
+    await sign.waitFor();
+    await page.dispatchEvent("h1", "dragleave", { dataTransfer: data });
+    await sign.waitFor({ state: "hidden" });
+  }));
+
+test("what is no single document is said, and the page stays as it was", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const before = await drawn(page);
+    const file = { name: "a.json", text: grid() };
+    const cases: [Dropped, RegExp][] = [
+      [{ files: [file, file, file] }, /3 files/],
+      [{ text: "hello" }, /no file/],
+      [{ files: [{ name: "notes.txt", text: "Dear all" }] }, /line 1/],
+      [{ files: [{ name: "empty.json", text: "" }] }, /\S+ \S+/],
+      [{ files: [{ name: "big.json", text: " ".repeat(2_100_000) }] }, /“big.json” is too large/],
+    ];
+    for (const [what, words] of cases) {
+      await drop(page, "main", what);
+      await alert(page).getByText(words).waitFor();
+      assert.deepEqual(await drawn(page), before);
+      await press(page, "Next problem");
+      await statusIs(page, "optimal");
+      await press(page, "Problem before");
+      await statusIs(page, "optimal");
+    }
+  }));
+
+test("text can still be dropped into the text field", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Document");
+    await page.locator("textarea").waitFor();
+    const prevented = await page.evaluate(() => {
+      const transfer = new DataTransfer();
+      transfer.setData("text/plain", "x");
+      const event = new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true });
+      return !document.querySelector("textarea")?.dispatchEvent(event);
+    });
+    assert.equal(prevented, false);
+    await statusIs(page, "optimal");
+  }));
+
+test("names in a document are text, from file and drop alike", () =>
+  visit(async ({ page }) => {
+    page.on("dialog", () => assert.fail("a script ran"));
+    await statusIs(page, "optimal");
+    const shown = async () => {
+      await page.getByRole("rowheader", { name }).waitFor();
+      await statusIs(page, "optimal");
+      for (const tab of ["Steps", "Edit", "Compare", "Trade-off", "Play", "Document"]) {
+        await openTab(page, tab);
+        assert.equal(await page.locator("img").count(), 0, tab);
+      }
+    };
+    await openTab(page, "Document");
+    await page.getByLabel("Open a file").setInputFiles(jsonFile(hostile));
+    await shown();
+    await press(page, "Next problem");
+    await statusIs(page, "optimal");
+    await drop(page, "body", { files: [{ name: `${name}.json`, text: hostile }] });
+    await shown();
+    await drop(page, "body", { files: [{ name: `${name}.json`, text: " ".repeat(2_100_000) }] });
+    await alert(page).getByText("too large").waitFor();
+    assert.equal(await page.locator("img").count(), 0);
+  }));
+
+test("the saved document is the one that is open, and runs in the core", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Document");
+    const first = await saved(page, "Save as a file");
+    assert.deepEqual(first, { name: "eight-by-eight.json", text: documentOf("eight-by-eight") });
+
+    // After an edit it is the edited one.
+    await dragMouse(page, "actor", [
+      [7, 4],
+      [7, 5],
+    ]);
+    await page.getByText("An edited problem").waitFor();
+    await statusIs(page, "optimal");
+    const edited = await saved(page, "Save as a file");
+    assert.notEqual(edited.text, first.text);
+    const { outcome } = solve(edited.text, { solver: "exact" });
+    assert.equal(outcome.status, "optimal");
+    const shown = await page.locator("mo-copp-playground").getAttribute("data-gd");
+    assert.equal(shown, String(outcome.goal_difference));
+    assert.equal(replay(edited.text, outcome.plan ?? []).valid, true);
+
+    // And it is opened again as it was saved.
+    await press(page, "Next problem");
+    await page.locator(".title", { hasText: "The paper’s gridworld" }).first().waitFor();
+    await page.getByLabel("Open a file").setInputFiles(jsonFile(edited.text));
+    await page.waitForFunction((text) => document.querySelector("textarea")?.value === text, edited.text);
+  }));
+
+test("the text follows the drawing, and what was typed is not lost", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Document");
+    const field = page.getByLabel("Problem document (JSON)");
+    assert.equal(await field.inputValue(), documentOf("eight-by-eight"));
+    await field.fill("half a thought");
+    await press(page, "Next problem");
+    await page.waitForFunction((text) => document.querySelector("textarea")?.value === text, documentOf("head-fake"));
+    await press(page, "Bring my text back");
+    assert.equal(await field.inputValue(), "half a thought");
+    await press(page, "Undo typing");
+    assert.equal(await field.inputValue(), documentOf("head-fake"));
+    await page.getByRole("button", { name: "Undo", exact: true }).click();
+    await page.waitForFunction(
+      (text) => document.querySelector("textarea")?.value === text,
+      documentOf("eight-by-eight"),
+    );
+  }));
+
+test("why a text can't be used stands beside it, with the place", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, grid({ start: [9, 9] }));
+    const field = page.getByLabel("Problem document (JSON)");
+    const mistake = page.locator("form.document .mistake");
+    await mistake.getByText("start").waitFor();
+    assert.equal(await field.getAttribute("aria-invalid"), "true");
+    const described = await field.getAttribute("aria-describedby");
+    assert.equal(await mistake.getAttribute("id"), described);
+    await useDocument(page, '{\n  "format": "gridworld",\n  oops\n}');
+    await mistake.getByText("line 3").waitFor();
+    // It goes with the next word that is typed.
+    await field.press("End");
+    await field.pressSequentially(" ");
+    await mistake.waitFor({ state: "hidden" });
+    assert.equal(await field.getAttribute("aria-invalid"), null);
+  }));

@@ -1,0 +1,188 @@
+// The table of the steps, and what is said of each step.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { AxeBuilder } from "@axe-core/playwright";
+import type { Page } from "playwright-core";
+import { csv } from "../../www/src/steps/csv.js";
+import { visit } from "./support/browser.js";
+import { example, replay, solve } from "./support/core.js";
+import { grid } from "./support/documents.js";
+import { openTab, press, slider, statusIs, stepIs, useDocument } from "./support/playground.js";
+
+const { trace } = solve(example, { solver: "exact" });
+const region = (page: Page) => page.getByRole("region", { name: "Table of the steps" });
+const rows = (page: Page) => region(page).locator("tbody tr");
+
+test("the table says of each step what the core says", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Steps");
+    await rows(page).first().waitFor();
+    const shown = await rows(page).evaluateAll((all) =>
+      all.map((row) => [...row.children].map((cell) => cell.textContent?.trim())),
+    );
+    const short = new Intl.NumberFormat("en", { maximumFractionDigits: 3 });
+    assert.deepEqual(
+      shown,
+      trace.steps.map(({ action, symbols, beliefs, goals, goal_difference }, step) => [
+        String(step),
+        action ?? "–",
+        ...(["adversarial", "cooperative"] as const).flatMap((role) => [
+          symbols[role] ?? "–",
+          String(beliefs[role].length),
+          goals[role].join(", ") || "none",
+        ]),
+        short.format(goal_difference).replace("-", "−"),
+      ]),
+    );
+  }));
+
+test("the row of the step shown is marked and in sight, and a row chosen is shown", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await openTab(page, "Steps");
+      const inSight = async (step: number) => {
+        const row = region(page).locator('tr[aria-current="step"]');
+        assert.equal(await row.count(), 1);
+        assert.equal(await row.locator("th").textContent(), String(step));
+        const box = (await row.boundingBox()) ?? assert.fail();
+        const frame = (await region(page).boundingBox()) ?? assert.fail();
+        const head = (await region(page).locator("thead").boundingBox()) ?? assert.fail();
+        assert(box.y >= head.y + head.height - 1 && box.y + box.height <= frame.y + frame.height + 1, `step ${step}`);
+      };
+      await inSight(16);
+      for (const step of [0, 9, 15]) {
+        await slider(page).fill(String(step));
+        await stepIs(page, step);
+        await inSight(step);
+      }
+      await region(page).getByRole("button", { name: "Step 12", exact: true }).press("Enter");
+      await stepIs(page, 12);
+      await rows(page).nth(13).locator("td").first().click();
+      await stepIs(page, 13);
+      await inSight(13);
+      // The page itself stays where it is.
+      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      assert(overflow <= 0, `${overflow} pixels too wide`);
+    },
+    { viewport: { width: 390, height: 844 } },
+  ));
+
+test("the steps are saved for a spreadsheet", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Steps");
+    const [download] = await Promise.all([page.waitForEvent("download"), press(page, "Save as CSV")]);
+    assert.equal(download.suggestedFilename(), "eight-by-eight-steps.csv");
+    const text = readFileSync(await download.path(), "utf8");
+    assert.equal(text, csv(trace));
+    const lines = text.trimEnd().split("\r\n");
+    assert.equal(lines.length, 18);
+    assert.equal(lines[1], "0,,,3,,,1,,0");
+    assert.equal(lines[17], "16,east,horizontal,16,G1; G2; G3; G4,north-east,1,G1,1");
+  }));
+
+test("no name becomes a formula or another field of the spreadsheet", () => {
+  const names = ['=HYPERLINK("http://x")', 'a,b"c', "+1", "plain"];
+  const goals = names.map((name, index) => ({ name, cell: [index, 0] }));
+  const text = csv(replay(grid({ goals, true_goal: names[0], start: [0, 0], walls: [] }), []));
+  assert.equal(text.split("\r\n")[1], `0,,,1,"'=HYPERLINK(""http://x"")",,1,"'=HYPERLINK(""http://x"")",0`);
+  assert.match(csv(replay(grid({ goals, true_goal: names[1], start: [1, 0], walls: [] }), [])), /"a,b""c"/);
+  assert.match(csv(replay(grid({ goals, true_goal: names[2], start: [2, 0], walls: [] }), [])), /,'\+1,/);
+});
+
+test("who plays the enemy sees the enemy's columns, up to the step it has come to", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Steps");
+    await openTab(page, "Play");
+    await press(page, "Start guessing");
+    await page.getByText("Which goal is it after?").waitFor();
+    // The tab itself is closed meanwhile; nothing of the table is on the page.
+    assert.equal(await page.getByRole("tab", { name: "Steps" }).isDisabled(), true);
+    assert.equal(await region(page).count(), 0);
+  }));
+
+const said = (page: Page) => page.locator("mo-copp-playground > [aria-live=polite]");
+
+test("each step is said once, in words, when one has come to rest", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await said(page)
+        .getByText(/^Step 16/)
+        .waitFor({ state: "attached" });
+      const heard = () => page.evaluate(() => (window as unknown as { heard: string[] }).heard);
+      await page.evaluate(() => {
+        const region = document.querySelector("mo-copp-playground > [aria-live=polite]");
+        const list: string[] = [];
+        Object.assign(window, { heard: list });
+        if (region)
+          new MutationObserver(() => list.push(region.textContent?.trim() ?? "")).observe(region, {
+            ...{ childList: true, characterData: true, subtree: true },
+          });
+      });
+      await press(page, "Back one step");
+      const { symbols, beliefs, goals } = trace.steps[15] ?? assert.fail();
+      const survive = (names: string[]) =>
+        names.length === 0 ? "no goal survives" : names.length === 1 ? `goal ${names[0]} survives` : null;
+      const words =
+        `Step 15, east: the enemy saw ${symbols.adversarial}, ${beliefs.adversarial.length} states left, ` +
+        `${survive(goals.adversarial)}; the friend saw ${symbols.cooperative}, ` +
+        `${beliefs.cooperative.length === 1 ? "1 state" : `${beliefs.cooperative.length} states`} left, ${survive(goals.cooperative)}.`;
+      await said(page).getByText(words, { exact: true }).waitFor({ state: "attached" });
+      assert.deepEqual(await heard(), [words]);
+
+      // While the slider is held nothing is said; then only where it was let go.
+      const box = (await slider(page).boundingBox()) ?? assert.fail();
+      await page.mouse.move(box.x + box.width - 30, box.y + box.height / 2);
+      await page.mouse.down();
+      await page.mouse.move(box.x + 8, box.y + box.height / 2, { steps: 25 });
+      await stepIs(page, 0);
+      assert.equal((await heard()).length, 1);
+      await page.mouse.up();
+      await said(page)
+        .getByText(/^Step 0:/)
+        .waitFor({ state: "attached" });
+      assert.equal((await heard()).length, 2);
+
+      // Nor while it plays.
+      await press(page, "Play");
+      await stepIs(page, 2);
+      await press(page, "Pause");
+      const stopped = await page.locator("mo-copp-playground").getAttribute("data-step");
+      await said(page)
+        .getByText(new RegExp(`^Step ${stopped},`))
+        .waitFor({ state: "attached" });
+      assert((await heard()).every((sentence) => !/^Step 1,/.test(sentence)));
+    },
+    { viewport: { width: 1280, height: 800 } },
+  ));
+
+test("a document's names in the table are text, and many goals are counted", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const goals = Array.from({ length: 12 }, (_, index) => ({ name: `<i>${index}</i>`, cell: [3, index % 3] }));
+    await useDocument(page, grid({ goals, true_goal: "<i>0</i>" }));
+    await page.waitForFunction(() => document.querySelectorAll("tr[data-goal]").length === 12);
+    await statusIs(page, "optimal");
+    await openTab(page, "Steps");
+    assert.equal(await region(page).locator("i").count(), 0);
+  }));
+
+test("axe finds no barrier in the table, dark", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await openTab(page, "Steps");
+      await press(page, "Back one step");
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      assert.deepEqual(
+        violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]),
+        [],
+      );
+    },
+    { colorScheme: "dark" },
+  ));

@@ -1,0 +1,24 @@
+// Workers that a test can reach or trouble.
+import type { Page } from "playwright-core";
+
+/** Workers that never hear of a cancel, as one in the middle of a long piece of work would not. */
+export const withDeafWorkers = (page: Page) =>
+  page.addInitScript(`
+    const post = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (message) {
+      if (message.kind !== "cancel") post.call(this, message);
+    };
+  `);
+
+/** Workers that a test finds in `window.workers`, in the order they were started. */
+export const withKnownWorkers = (page: Page) =>
+  page.addInitScript(`
+    window.workers = [];
+    const Original = window.Worker;
+    window.Worker = class extends Original {
+      constructor(...args) {
+        super(...args);
+        window.workers.push(this);
+      }
+    };
+  `);

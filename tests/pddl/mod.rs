@@ -1,0 +1,8 @@
+//! The PDDL reader and the grounder.
+
+mod exclusive;
+mod fuzz;
+mod grounding;
+mod ipc;
+mod oracle;
+mod reading;

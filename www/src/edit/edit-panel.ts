@@ -1,0 +1,36 @@
+// The edit tab: everything of a problem that is not drawn by hand, by what kind of problem it is.
+import { html, type TemplateResult } from "lit";
+import { guard } from "lit/directives/guard.js";
+import { newGrid } from "../problem/new-grid.js";
+import { written } from "../problem/text.js";
+import type { Playground } from "../state/playground.js";
+import { deliveryForm } from "./delivery-form.js";
+import { gridForm } from "./grid-form.js";
+
+/** The usual size of the paper's gridworlds. */
+const NEW_SIDE = 8;
+
+export function editPanel(playground: Playground): TemplateResult {
+  const { editing, latest } = playground;
+  const note = editing.note.value;
+  // Steps come and go many times a second; they change nothing here.
+  const form = guard([latest, editing.fault.value, note], () => {
+    if (latest?.format === "gridworld") return gridForm(playground, latest);
+    if (latest?.format === "delivery") return deliveryForm(playground, latest);
+    return asText(playground);
+  });
+  return html`<div class="edit">
+    ${form}
+    <p class="note" role="status">${note !== null && note.document === latest ? note.text : ""}</p>
+    <div class="actions">
+      <button type="button" @click=${() => playground.open(written(newGrid(NEW_SIDE, NEW_SIDE)))}>New grid</button>
+      <small>An empty grid of ${NEW_SIDE} by ${NEW_SIDE} cells with the paper’s observers. Undo brings this problem back.</small>
+    </div>
+  </div>`;
+}
+
+const asText = (playground: Playground): TemplateResult =>
+  html`<p>This problem lists its states one by one. It is edited as text.</p>
+    <div class="actions">
+      <button type="button" class="primary" @click=${() => playground.workbench.open("document")}>Edit as text</button>
+    </div>`;

@@ -1,0 +1,121 @@
+// Fields of the edit tab. What is typed is made an edit when the field is left; what can't be taken stays in the field,
+// with the reason beside it, and the problem stays as it is.
+import { html, nothing, type TemplateResult } from "lit";
+import { LONGEST_NAME, tidied } from "../problem/names.js";
+import type { ProblemDocument } from "../problem/types.js";
+import type { Playground } from "../state/playground.js";
+
+/** An edit, or why there can be none. */
+export type Edited = ProblemDocument | string;
+
+/** Makes an edit, or shows beside a field why not. Resolves to whether it was made. */
+export function attempt(playground: Playground, field: string, edited: Edited, text = ""): boolean {
+  const { editing, latest } = playground;
+  if (typeof edited === "string") {
+    editing.fault.value = { field, text, message: edited, document: latest };
+    return false;
+  }
+  editing.fault.value = null;
+  if (edited !== latest) playground.apply(edited);
+  return true;
+}
+
+/** What was typed for the document that is open and could not be taken. */
+function faultOf({ editing, latest }: Playground, field: string) {
+  const fault = editing.fault.value;
+  return fault !== null && fault.field === field && fault.document === latest ? fault : null;
+}
+
+const faultId = ({ workbench }: Playground, field: string): string => `${workbench.id}-fault-${field}`;
+
+/** Why the last edit there could not be made. */
+export function faultText(playground: Playground, field: string): TemplateResult | typeof nothing {
+  const fault = faultOf(playground, field);
+  return fault === null
+    ? nothing
+    : html`<p class="fault" id=${faultId(playground, field)} role="alert">${fault.message}</p>`;
+}
+
+interface TextField {
+  /** Unique on the page. */
+  field: string;
+  label: string;
+  /** The label is said, not shown. */
+  bare?: boolean;
+  value: string;
+  placeholder?: string;
+  /** The id of a list of suggestions. */
+  list?: string;
+  save: (text: string) => Edited;
+}
+
+export function textField(playground: Playground, options: TextField): TemplateResult {
+  const { field, label, bare, value, placeholder, list, save } = options;
+  const fault = faultOf(playground, field);
+  const change = (event: Event) => {
+    const input = event.target as HTMLInputElement;
+    if (attempt(playground, field, save(input.value), input.value)) input.value = tidied(input.value);
+  };
+  return html`<div class="field">
+    <label>
+      <span class=${bare ? "unseen" : ""}>${label}</span>
+      <input type="text" autocomplete="off" spellcheck="false" maxlength=${LONGEST_NAME} name=${field}
+        list=${list ?? nothing} placeholder=${placeholder ?? nothing} .value=${fault?.text ?? value}
+        aria-invalid=${String(fault !== null)} aria-describedby=${fault === null ? nothing : faultId(playground, field)}
+        @change=${change} @keydown=${leaveOnEnter} />
+    </label>
+    ${faultText(playground, field)}
+  </div>`;
+}
+
+interface NumberField {
+  field: string;
+  label: string;
+  value: number;
+  least: number;
+  most: number;
+  save: (value: number) => Edited;
+}
+
+export function numberField(playground: Playground, options: NumberField): TemplateResult {
+  const { field, label, value, least, most, save } = options;
+  const fault = faultOf(playground, field);
+  const change = (event: Event) => {
+    const { value: text, valueAsNumber } = event.target as HTMLInputElement;
+    const fits = Number.isInteger(valueAsNumber) && valueAsNumber >= least && valueAsNumber <= most;
+    attempt(playground, field, fits ? save(valueAsNumber) : `A whole number from ${least} to ${most}.`, text);
+  };
+  return html`<div class="field">
+    <label>
+      <span>${label}</span>
+      <input type="number" min=${least} max=${most} step="1" name=${field} .value=${fault?.text ?? String(value)}
+        aria-invalid=${String(fault !== null)} aria-describedby=${fault === null ? nothing : faultId(playground, field)}
+        @change=${change} />
+    </label>
+    ${faultText(playground, field)}
+  </div>`;
+}
+
+/** A choice of presets; an observer whose symbols are its own has none of them. */
+export function presetField<Name extends string>(
+  label: string,
+  presets: Record<Name, string>,
+  chosen: Name | null,
+  choose: (name: Name) => void,
+): TemplateResult {
+  const names = Object.keys(presets) as Name[];
+  return html`<label class="wide">
+    <span>${label}</span>
+    <select @change=${(event: Event) => choose((event.target as HTMLSelectElement).value as Name)}>
+      ${chosen === null ? html`<option value="" selected disabled>Symbols of its own</option>` : nothing}
+      ${names.map((name) => html`<option value=${name} ?selected=${name === chosen}>${presets[name]}</option>`)}
+    </select>
+  </label>`;
+}
+
+/** Enter makes the edit at once. */
+function leaveOnEnter(event: KeyboardEvent): void {
+  if (event.key !== "Enter") return;
+  event.preventDefault();
+  event.target?.dispatchEvent(new Event("change", { bubbles: true }));
+}

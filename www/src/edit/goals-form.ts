@@ -1,0 +1,50 @@
+// The candidate goals of a grid: their names, which is true, and how many there are.
+import { html, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
+import { addGoal, chooseTrueGoal, removeGoal, renameGoal } from "../problem/grid-goals.js";
+import type { GridworldDocument } from "../problem/types.js";
+import type { Playground } from "../state/playground.js";
+import { attempt, faultText, textField } from "./fields.js";
+import { cross } from "./icons.js";
+
+export function goalsForm(playground: Playground, document: GridworldDocument): TemplateResult {
+  return html`<fieldset>
+    <legend>Candidate goals</legend>
+    <small>The enemy and the friend know them all; only the agent knows which one is true.</small>
+    <ul class="entries">
+      ${document.goals.map(
+        ({ name, cell: [column, row] }, index) => html`<li>
+          <label class="check">
+            <input type="radio" name=${`${playground.workbench.id}-true-goal`} .checked=${live(name === document.true_goal)} aria-label=${`${name} is the true goal`}
+              @change=${() => attempt(playground, "goals", chooseTrueGoal(document, index))} />
+            <span aria-hidden="true">true</span>
+          </label>
+          ${textField(playground, {
+            field: `goal-${index}`,
+            label: `Name of goal ${index + 1}`,
+            bare: true,
+            value: name,
+            save: (text) => renameGoal(document, index, text),
+          })}
+          <span class="where">column ${column}, row ${row}</span>
+          <button type="button" class="sign" aria-label=${`Remove ${name}`} title="Remove" @click=${(event: Event) => {
+            focusBefore(event);
+            attempt(playground, "goals", removeGoal(document, index));
+          }}>${cross}</button>
+        </li>`,
+      )}
+    </ul>
+    ${faultText(playground, "goals")}
+    <div class="actions">
+      <button type="button" @click=${() => attempt(playground, "goals", addGoal(document))}>Add a goal</button>
+      <small>Drag it on a board to where it belongs.</small>
+    </div>
+  </fieldset>`;
+}
+
+/** The button of the last entry goes with it: the one before takes the focus, so that the keyboard stays there. */
+export function focusBefore(event: Event): void {
+  const entry = (event.currentTarget as Element).closest("li");
+  if (entry === null || entry.nextElementSibling !== null) return;
+  entry.previousElementSibling?.querySelector<HTMLElement>("button.sign")?.focus();
+}

@@ -1,0 +1,102 @@
+// Editing a board with a mouse, a pen or a finger.
+import { inside } from "../problem/cells.js";
+import type { BoardName } from "../stage/board-input.js";
+import type { Playground } from "../state/playground.js";
+import { carry, type Drag, stroke } from "./drag.js";
+import { begin, finish, goTo, takeBack } from "./dragging.js";
+import { cellAt, grasped, pointIn } from "./reach.js";
+import { editable, paintOf } from "./tools.js";
+
+export interface BoardPointer {
+  down: (event: PointerEvent) => void;
+  move: (event: PointerEvent) => void;
+  up: (event: PointerEvent) => void;
+  /** The browser took the pointer away: for scrolling, or since a window came up. */
+  lost: (event: PointerEvent) => void;
+  touch: (event: TouchEvent) => void;
+}
+
+/** A hand that presses a button shakes this much, in pixels. */
+const SHAKE = 3;
+
+/** The pointer that edits, only one at a time, and where it was pressed. */
+let holding: { pointer: number; x: number; y: number } | null = null;
+
+export function boardPointer(board: BoardName, playground: Playground): BoardPointer {
+  const { editing } = playground;
+  return {
+    down(event) {
+      if (!event.isPrimary || event.button !== 0 || editing.drag.value !== null) return;
+      const svg = event.currentTarget as SVGSVGElement;
+      const drag = dragFrom(board, playground, svg, event, event.pointerType === "touch");
+      const point = pointIn(svg, event);
+      if (point !== null) editing.cursor.value = { board, cell: cellAt(point), shown: false };
+      if (drag === null) return;
+      holding = { pointer: event.pointerId, x: event.clientX, y: event.clientY };
+      if (editing.tool.value === "belief") playground.timeline.goTo(0);
+      begin(playground, drag);
+      // A brush may leave the board at once; a piece that is only clicked goes on being what is clicked.
+      if (drag.kind === "stroke") svg.setPointerCapture(event.pointerId);
+    },
+    move(event) {
+      if (event.pointerId !== holding?.pointer) return;
+      if (event.buttons === 0) {
+        // It was let go where nobody heard of it.
+        holding = null;
+        takeBack(playground);
+        return;
+      }
+      const svg = event.currentTarget as SVGSVGElement;
+      if (!svg.hasPointerCapture(event.pointerId)) {
+        if (Math.hypot(event.clientX - holding.x, event.clientY - holding.y) <= SHAKE) return;
+        svg.setPointerCapture(event.pointerId);
+      }
+      const point = pointIn(svg, event);
+      const base = editing.drag.value?.base;
+      if (point === null || base === undefined) return;
+      const cell = cellAt(point);
+      if (inside(base, cell)) goTo(playground, cell);
+    },
+    up(event) {
+      if (event.pointerId !== holding?.pointer) return;
+      holding = null;
+      finish(playground);
+    },
+    lost(event) {
+      if (event.pointerId !== holding?.pointer) return;
+      // A finger is held by what it touched until the board takes hold of it.
+      if (event.type === "lostpointercapture" && event.target !== event.currentTarget) return;
+      holding = null;
+      takeBack(playground);
+    },
+    touch(event) {
+      // What a tool takes hold of does not scroll; everything else does.
+      const finger = event.touches[0];
+      if (finger === undefined || event.touches.length > 1 || !event.cancelable) return;
+      const svg = event.currentTarget as SVGSVGElement;
+      if (editing.drag.value !== null || dragFrom(board, playground, svg, finger, true) !== null)
+        event.preventDefault();
+    },
+  };
+}
+
+/** What a press there takes hold of; null where that is nothing. */
+function dragFrom(
+  board: BoardName,
+  playground: Playground,
+  svg: SVGSVGElement,
+  at: { clientX: number; clientY: number },
+  touch: boolean,
+): Drag | null {
+  const document = editable(playground);
+  const point = pointIn(svg, at);
+  if (document === null || point === null) return null;
+  const tool = playground.editing.tool.value;
+  if (tool === "move") {
+    const grasp = grasped(document, board, point, touch);
+    return grasp === null ? null : carry(document, grasp.piece, grasp.cell);
+  }
+  const paint = paintOf(tool, board);
+  const cell = cellAt(point);
+  return paint === null || !inside(document, cell) ? null : stroke(document, paint, cell);
+}

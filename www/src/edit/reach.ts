@@ -1,0 +1,71 @@
+// From a point on the screen to a cell of a board, and to the piece that a hand which aims there means.
+
+import { inside } from "../problem/cells.js";
+import { wallsOf } from "../problem/grid-cells.js";
+import type { Cell, GridworldDocument } from "../problem/types.js";
+import type { BoardName } from "../stage/board-input.js";
+import type { Piece } from "./drag.js";
+import { pieceAt } from "./tools.js";
+
+/** Half of the smallest target that can be hit with ease, in pixels: cells may be smaller. */
+const REACH = 12;
+/** A finger covers more. */
+const TOUCH_REACH = 18;
+
+interface Point {
+  /** In cells, with fractions. */
+  column: number;
+  row: number;
+  /** How many pixels a cell is wide. */
+  scale: number;
+}
+
+/** Null while the board is not drawn. */
+export function pointIn(
+  board: SVGSVGElement,
+  { clientX, clientY }: { clientX: number; clientY: number },
+): Point | null {
+  const matrix = board.getScreenCTM();
+  if (matrix === null || matrix.a === 0) return null;
+  return { column: (clientX - matrix.e) / matrix.a, row: (clientY - matrix.f) / matrix.d, scale: matrix.a };
+}
+
+export const cellAt = ({ column, row }: Point): Cell => [Math.floor(column), Math.floor(row)];
+
+export interface Grasp {
+  piece: Piece;
+  cell: Cell;
+}
+
+/** The start and the goals are looked for first, as far as the reach goes; walls are many and near each other. */
+export function grasped(document: GridworldDocument, board: BoardName, point: Point, touch: boolean): Grasp | null {
+  const reach = (touch ? TOUCH_REACH : REACH) / point.scale;
+  const cell = cellAt(point);
+  const here = inside(document, cell) ? pieceAt(document, board, cell) : null;
+  if (here !== null && here.kind !== "wall") return { piece: here, cell };
+  const marked = nearest([document.start, ...document.goals.map((goal) => goal.cell)], point, reach);
+  if (marked !== null) return grasp(document, board, marked);
+  if (here !== null) return { piece: here, cell };
+  if (board !== "actor") return null;
+  const wall = nearest(wallsOf(document), point, REACH / point.scale);
+  return wall === null ? null : grasp(document, board, wall);
+}
+
+function grasp(document: GridworldDocument, board: BoardName, cell: Cell): Grasp | null {
+  const piece = pieceAt(document, board, cell);
+  return piece === null ? null : { piece, cell };
+}
+
+/** The cell whose middle is nearest, if that is within reach. */
+function nearest(cells: readonly Cell[], { column, row }: Point, reach: number): Cell | null {
+  let best: Cell | null = null;
+  let least = reach;
+  for (const cell of cells) {
+    const away = Math.hypot(cell[0] + 0.5 - column, cell[1] + 0.5 - row);
+    if (away <= least) {
+      best = cell;
+      least = away;
+    }
+  }
+  return best;
+}

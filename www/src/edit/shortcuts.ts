@@ -1,0 +1,31 @@
+// Keys that edit wherever on the page the keyboard is: undo and redo, and giving up what is being dragged.
+import type { Playground } from "../state/playground.js";
+import { takeBack } from "./dragging.js";
+
+/** Text fields take back what was typed in them by themselves. */
+const typing = (target: EventTarget | null): boolean =>
+  target instanceof HTMLTextAreaElement ||
+  (target instanceof HTMLElement && target.isContentEditable) ||
+  (target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button", "file"].includes(target.type));
+
+export function shortcut(playground: Playground, event: KeyboardEvent): void {
+  if (playground.editing.drag.value !== null && event.key === "Escape") {
+    event.preventDefault();
+    takeBack(playground);
+    playground.editing.said.value = "put back.";
+    return;
+  }
+  const action = typing(event.target) ? null : wanted(event);
+  if (action === null) return;
+  event.preventDefault();
+  // Taking back what is not finished is all that is meant.
+  if (playground.editing.drag.value !== null) takeBack(playground);
+  else if (action === "undo") playground.undo();
+  else playground.redo();
+}
+
+function wanted({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): "undo" | "redo" | null {
+  if (!(ctrlKey || metaKey) || altKey) return null;
+  if (key.toLowerCase() === "z") return shiftKey ? "redo" : "undo";
+  return key.toLowerCase() === "y" && ctrlKey && !shiftKey ? "redo" : null;
+}

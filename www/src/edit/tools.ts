@@ -1,0 +1,57 @@
+// The tools: what each is for, and what it takes hold of on which board.
+
+import { sameCell } from "../problem/cells.js";
+import { isWall } from "../problem/grid-cells.js";
+import { goalAt } from "../problem/grid-goals.js";
+import type { GridworldDocument, Role } from "../problem/types.js";
+import type { BoardName } from "../stage/board-input.js";
+import type { Cursor, Tool } from "../state/editing.js";
+import type { Playground } from "../state/playground.js";
+import type { Paint, Piece } from "./drag.js";
+
+export const toolNames: Record<Tool, { title: string; about: string }> = {
+  move: {
+    title: "Move",
+    about: "Drag the start or a goal on any board, or a wall on the agent’s. The best plan follows at once.",
+  },
+  walls: { title: "Walls", about: "Drag over cells to build walls. Begin on a wall to take walls away." },
+  belief: {
+    title: "First belief",
+    about: "Drag over cells of the enemy’s or the friend’s board: where they think the agent may begin. Shows step 0.",
+  },
+  cameras: {
+    title: "Cameras",
+    about: "Drag over cells of the enemy’s or the friend’s board: there they see the agent exactly.",
+  },
+};
+
+export const tools = Object.keys(toolNames) as Tool[];
+
+/** What a painting tool paints on a board; null where it has nothing to paint there. */
+export function paintOf(tool: Tool, board: BoardName): Paint | null {
+  if (tool === "walls") return { kind: "wall" };
+  if (board === "actor" || tool === "move") return null;
+  return { kind: tool === "belief" ? "belief" : "camera", role: board };
+}
+
+/** What stands in a cell and may be carried on this board: a goal is drawn above the start. */
+export function pieceAt(document: GridworldDocument, board: BoardName, cell: Cursor["cell"]): Piece | null {
+  const index = goalAt(document, cell);
+  if (index >= 0) return { kind: "goal", index };
+  if (sameCell(document.start, cell)) return { kind: "start" };
+  if (board === "actor" && isWall(document, cell)) return { kind: "wall" };
+  return null;
+}
+
+/** The grid that the next edit starts from; null where there is none, or where the boards are not for editing now. */
+export function editable({ latest, mode }: Playground): GridworldDocument | null {
+  return latest?.format === "gridworld" && mode.value === "plan" ? latest : null;
+}
+
+export const roleOf = (board: BoardName): Role | null => (board === "actor" ? null : board);
+
+/** Takes a tool. First beliefs are those of step 0. */
+export function take(playground: Playground, tool: Tool): void {
+  playground.editing.tool.value = tool;
+  if (tool === "belief") playground.timeline.goTo(0);
+}

@@ -1,0 +1,38 @@
+// What a playground tells the page it stands in: `mo-copp-step` and `mo-copp-outcome`.
+import type { Playground, Result } from "../state/playground.js";
+
+export class Notifier {
+  private step: string | null = null;
+  private result: Result | null = null;
+
+  constructor(
+    private readonly playground: Playground,
+    private readonly element: HTMLElement,
+  ) {}
+
+  /** Tells what has changed since the last time. */
+  notify(): void {
+    const { timeline, result } = this.playground;
+    const shown = timeline.shown.value;
+    if (shown !== null) {
+      const detail = {
+        step: timeline.step.value,
+        steps: timeline.lastStep.value,
+        action: shown.action,
+        symbols: shown.symbols,
+        goals: shown.goals,
+        goal_difference: shown.goal_difference,
+      };
+      const told = JSON.stringify(detail);
+      if (told !== this.step) this.send("mo-copp-step", detail);
+      this.step = told;
+    }
+    const outcome = result.value;
+    if (outcome !== null && outcome !== this.result) this.send("mo-copp-outcome", outcome.outcome);
+    this.result = outcome;
+  }
+
+  private send(name: string, detail: unknown): void {
+    this.element.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
+  }
+}

@@ -1,0 +1,94 @@
+// What a page asks of a playground by the element's attributes.
+import { type Form, solverNames } from "../state/form.js";
+import type { Playground } from "../state/playground.js";
+
+/** The parts that can be left out, by `hide`. */
+export const parts = ["gallery", "share", "tools", "stepper", "legend", "workbench", "goals"] as const;
+export type Part = (typeof parts)[number];
+
+export interface Settings {
+  /** The address of a document, relative to the page. */
+  src: string | null;
+  /** A problem of the gallery. */
+  problem: string | null;
+  /** The title of one of the gallery's plans, or actions separated by commas. */
+  plan: string | null;
+  step: string | null;
+  solver: string | null;
+  k: string | null;
+  j: string | null;
+  horizon: string | null;
+}
+
+export const settingNames = ["src", "problem", "plan", "step", "solver", "k", "j", "horizon"] as const;
+
+export function settingsOf(element: Element): Settings {
+  return Object.fromEntries(settingNames.map((name) => [name, element.getAttribute(name)])) as unknown as Settings;
+}
+
+export function hiddenParts(text: string | null): ReadonlySet<string> {
+  return new Set((text ?? "").split(/[\s,]+/));
+}
+
+/** Opens what the attributes ask for; without any, what the page begins with. */
+export async function settle(playground: Playground, settings: Settings, fallback: string): Promise<void> {
+  const opened = await openProblem(playground, settings, fallback);
+  if (!opened) return;
+  const form = formOf(settings);
+  if (Object.keys(form).length > 0) {
+    playground.edit(form);
+    await playground.solve();
+  }
+  if (settings.plan !== null) await showPlan(playground, settings.plan);
+  goToStep(playground, settings);
+}
+
+export function goToStep({ timeline }: Playground, settings: Settings): void {
+  const step = settings.step === null ? Number.NaN : Number(settings.step);
+  if (Number.isInteger(step)) timeline.goTo(step);
+}
+
+async function openProblem(playground: Playground, { src, problem }: Settings, fallback: string): Promise<boolean> {
+  if (src !== null) {
+    const text = await fetched(src);
+    if (text !== null) return playground.open(text);
+    playground.refuse(`The problem document “${src}” could not be loaded.`);
+    return false;
+  }
+  if (problem !== null) return playground.gallery.open(problem);
+  return playground.open(fallback);
+}
+
+/** Larger than any problem that can be drawn. */
+const LARGEST = 2_000_000;
+
+async function fetched(address: string): Promise<string | null> {
+  try {
+    const response = await fetch(new URL(address, document.baseURI));
+    if (!response.ok || Number(response.headers.get("Content-Length")) > LARGEST) return null;
+    const text = await response.text();
+    return text.length > LARGEST ? null : text;
+  } catch {
+    return null;
+  }
+}
+
+function formOf({ solver, k, j, horizon }: Settings): Partial<Form> {
+  const known = solverNames.find((name) => name === solver);
+  return {
+    ...(known === undefined ? {} : { solver: known }),
+    ...(k === null ? {} : { k }),
+    ...(j === null ? {} : { j }),
+    ...(horizon === null ? {} : { horizon: horizon === "any" ? "" : horizon }),
+  };
+}
+
+async function showPlan(playground: Playground, plan: string): Promise<void> {
+  const named = playground.gallery.current.value?.plans?.find(({ title }) => title === plan);
+  if (named !== undefined) await playground.gallery.show(named);
+  else
+    await playground.showPlan(
+      plan.split(",").map((action) => action.trim()),
+      "The plan of this page",
+    );
+}

@@ -1,0 +1,105 @@
+// Which problem of the gallery is open, and opening another.
+import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import { exampleDocument } from "../problem/example.js";
+import { sameProblem } from "../problem/same.js";
+import type { DeliveryDocument, ProblemDocument } from "../problem/types.js";
+import type { OpenDocument, Playground } from "../state/playground.js";
+import { type Entry, entries, type NamedPlan } from "./entries.js";
+
+export class Gallery {
+  /** The documents that are loaded, by name: at first the one that the page begins with. */
+  readonly documents = signal<ReadonlyMap<string, OpenDocument>>(new Map([opened("eight-by-eight", exampleDocument)]));
+  readonly menuOpen = signal(false);
+
+  /** The entry that is open, as it is in the gallery; null for any other problem. */
+  readonly current: ReadonlySignal<Entry | null> = computed(() => {
+    const value = this.playground.document.value?.value;
+    if (value === undefined) return null;
+    return entries.find((entry) => this.versions(entry).some((version) => sameProblem(version, value))) ?? null;
+  });
+
+  private loading: Promise<void> | undefined;
+
+  constructor(private readonly playground: Playground) {}
+
+  /** Loads all documents, once. */
+  load(): Promise<void> {
+    this.loading ??= import("./documents.js").then(
+      ({ documents }) => {
+        this.documents.value = new Map([...documents].map(([name, text]) => opened(name, text)));
+      },
+      () => {
+        this.loading = undefined;
+      },
+    );
+    return this.loading;
+  }
+
+  async open(name: string): Promise<boolean> {
+    if (!this.documents.value.has(name)) await this.load();
+    const document = this.documents.value.get(name);
+    if (document !== undefined) return this.playground.open(document.text);
+    const known = entries.some((entry) => entry.name === name);
+    this.playground.refuse(
+      known
+        ? "The gallery could not be loaded. Is there a connection?"
+        : `There is no problem called “${name}” in the gallery.`,
+    );
+    return false;
+  }
+
+  /** Opens the next problem of the gallery, or the one before: `way` is 1 or −1. */
+  turn(way: number): Promise<boolean> {
+    const { value } = this.current;
+    const at = value === null ? -1 : entries.indexOf(value);
+    const from = at === -1 && way < 0 ? 0 : at;
+    return this.open(entries[(from + way + entries.length) % entries.length]?.name ?? "");
+  }
+
+  /** Shows a named plan of the entry that is open. */
+  async show({ title, plan, trueGoal }: NamedPlan): Promise<void> {
+    const document = this.playground.document.value;
+    if (document === null) return;
+    const wanted = withTrueGoal(document.value, trueGoal);
+    if (sameProblem(wanted, document.value)) {
+      if (plan === undefined) this.showBest();
+      else await this.playground.showPlan([...plan], title);
+    } else {
+      this.playground.apply(wanted);
+    }
+  }
+
+  /** Whether this is the named plan that is shown. */
+  shows({ title, plan, trueGoal }: NamedPlan): boolean {
+    const value = this.playground.document.value?.value;
+    if (value === undefined || this.playground.mode.value !== "plan") return false;
+    const { chosen } = this.playground;
+    if (!sameProblem(withTrueGoal(value, trueGoal), value)) return false;
+    return plan === undefined ? chosen.value === null && this.isBest() : chosen.value === title;
+  }
+
+  /** Whether what was solved last is the best of all plans, not of those within bounds or of another solver. */
+  private isBest(): boolean {
+    const { solver, k, j, horizon } = this.playground.result.value?.options ?? {};
+    return solver === "exact" && k === undefined && j === undefined && horizon === undefined;
+  }
+
+  private showBest(): void {
+    if (this.isBest()) this.playground.showResult();
+    else this.playground.edit({ solver: "exact", k: "", j: "", horizon: "" });
+  }
+
+  /** The document of an entry, and what its named plans make of it. */
+  private versions(entry: Entry): ProblemDocument[] {
+    const document = this.documents.value.get(entry.name);
+    if (document === undefined) return [];
+    const others = (entry.plans ?? []).filter(({ trueGoal }) => trueGoal !== undefined);
+    return [document.value, ...others.map(({ trueGoal }) => withTrueGoal(document.value, trueGoal))];
+  }
+}
+
+const opened = (name: string, text: string): [string, OpenDocument] => [name, { text, value: JSON.parse(text) }];
+
+function withTrueGoal(document: ProblemDocument, trueGoal: string | undefined): ProblemDocument {
+  return trueGoal === undefined ? document : { ...(document as DeliveryDocument), true_goal: trueGoal };
+}

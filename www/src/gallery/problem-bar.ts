@@ -1,0 +1,63 @@
+// The bar above the boards: which problem is open and what it shows, its named plans, and the way to the others.
+import { html, nothing, type TemplateResult } from "lit";
+import { openHelp } from "../help/help.js";
+import { copyLink, type LinkCopier } from "../share/copy-link.js";
+import type { Playground } from "../state/playground.js";
+import { down, left, question, right } from "../view/icons.js";
+import { entries, type NamedPlan } from "./entries.js";
+import { openGallery } from "./menu.js";
+import { thumbnail } from "./thumbnail.js";
+
+/** `copier`: null where this playground's state is not in the page's address. */
+export function problemBar(playground: Playground, copier: LinkCopier | null): TemplateResult {
+  const { gallery } = playground;
+  const entry = gallery.current.value;
+  const value = playground.document.value?.value;
+  const at = entry === null ? -1 : entries.indexOf(entry);
+  const where =
+    at === -1 ? "All problems" : html`<span class="where-word">Problem</span> ${at + 1} of ${entries.length}`;
+  const turn = (label: string, sign: TemplateResult, way: number) =>
+    html`<button type="button" class="sign" aria-label=${label} title=${label} @click=${() => void gallery.turn(way)}>${sign}</button>`;
+  return html`<section class="problem-bar" aria-label="Problem">
+    <div class="pick">
+      <button type="button" class="current" aria-haspopup="dialog" title="All problems"
+        @click=${(event: Event) => openGallery(playground, event.currentTarget as Element)}>
+        ${value === undefined ? html`<span class="thumbnail"></span>` : thumbnail(value)}
+        <span class="words"><small>${where}</small> <b class="title">${titleOf(playground)}</b></span>${down}
+      </button>
+      ${turn("Problem before", left, -1)} ${turn("Next problem", right, 1)}
+    </div>
+    <p class="about">${entry?.about ?? aboutOwn(playground)}</p>
+    ${plans(playground, entry?.plans ?? [])}
+    <div class="share">
+      ${copier === null ? nothing : copyLink(playground, copier)}
+      <button type="button" class="sign" aria-label="Help" title="Help: keys and words (?)" @click=${() => void openHelp()}>${question}</button>
+    </div>
+  </section>`;
+}
+
+function titleOf(playground: Playground): string {
+  const entry = playground.gallery.current.value;
+  if (entry !== null) return entry.title;
+  if (playground.document.value === null) return "…";
+  return playground.canReset.value ? "An edited problem" : "Your own problem";
+}
+
+function aboutOwn(playground: Playground): string {
+  if (playground.document.value === null) return "";
+  return playground.canReset.value
+    ? "Edited by hand; the link and the saved document hold it as it is now."
+    : "Opened from a link, a file or its text.";
+}
+
+function plans(playground: Playground, named: readonly NamedPlan[]): TemplateResult | typeof nothing {
+  // While somebody guesses, a plan would give the answer away.
+  if (named.length === 0 || playground.mode.value === "guess") return nothing;
+  const { gallery } = playground;
+  return html`<div class="plans" role="group" aria-label="Plans to look at">
+    ${named.map(
+      (plan) => html`<button type="button" aria-pressed=${String(gallery.shows(plan))}
+        @click=${() => void gallery.show(plan)}>${plan.title}</button>`,
+    )}
+  </div>`;
+}

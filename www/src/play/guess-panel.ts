@@ -1,0 +1,49 @@
+// The controls of the guessing game.
+import { html, type TemplateResult } from "lit";
+import type { Guess, Round } from "../state/guess.js";
+import type { Playground } from "../state/playground.js";
+
+export function guessPanel(playground: Playground): TemplateResult {
+  const game = playground.guess;
+  const round = game.round.value;
+  return html`<div class="play guess">
+    ${body(playground, game, round)}
+    <div class="actions">
+      ${
+        round.kind === "over"
+          ? html`<button type="button" class="primary" @click=${() => void game.start()}>Another round</button>`
+          : ""
+      }
+      <button type="button" @click=${() => game.leave()}>Leave the game</button>
+      ${game.played.value === 0 ? "" : html`<span class="score">${game.right.value} of ${game.played.value} right</span>`}
+    </div>
+  </div>`;
+}
+
+function body(playground: Playground, game: Guess, round: Round): TemplateResult | string {
+  if (round.kind === "hiding") return html`<p>The agent is choosing its way…</p>`;
+  if (round.kind === "impossible")
+    return html`<p>No goal of this problem can be reached: there is nothing to guess.</p>`;
+  if (round.kind === "over") return html`<div role="status">${told(round)}</div>`;
+  const goals = playground.scene.value?.goals ?? [];
+  const { step, lastStep } = playground.timeline;
+  return html`<p>
+      Step forward to hear what the enemy is told. Its board shows where the agent could be.
+      ${step.value === lastStep.value ? html`<b>The agent has arrived.</b>` : ""}
+    </p>
+    <p id="${playground.workbench.id}-guess">Which goal is it after?</p>
+    <ul class="next ${goals.length > 12 ? "many" : ""}" aria-labelledby="${playground.workbench.id}-guess">
+      ${goals.map(({ name }) => html`<li><button type="button" @click=${() => game.guess(name)}>${name}</button></li>`)}
+    </ul>`;
+}
+
+function told({ guess, goal, step, possible }: Extract<Round, { kind: "over" }>): TemplateResult {
+  const verdict = guess === goal ? html`<b>Right: it was ${goal}.</b>` : html`<b>No: it was ${goal}, not ${guess}.</b>`;
+  const others =
+    possible > 1
+      ? `At step ${step} ${possible} goals were possible for the enemy: nobody could have known.`
+      : possible === 1
+        ? `At step ${step} one goal alone was possible for the enemy.`
+        : `At step ${step} the agent could not have arrived anywhere yet: it was a guess.`;
+  return html`<p>${verdict} ${others} The boards now show the whole way.</p>`;
+}

@@ -1,0 +1,23 @@
+// Playing: being the agent, or being the enemy.
+import { html, type TemplateResult } from "lit";
+import type { Playground } from "../state/playground.js";
+import { guessPanel } from "./guess-panel.js";
+import { walkPanel } from "./walk-panel.js";
+
+export function playPanel(playground: Playground): TemplateResult {
+  const round = playground.guess.round.value.kind;
+  if (playground.mode.value === "walk") return walkPanel(playground);
+  if (round !== "none") return guessPanel(playground);
+  return html`<div class="play choices">
+    <div>
+      <h3>You are the agent</h3>
+      <p>Walk yourself. See what the enemy and the friend make of every step, and how close you come to the best plan.</p>
+      <button type="button" class="primary" @click=${() => void playground.walker.start()}>Take over</button>
+    </div>
+    <div>
+      <h3>You are the enemy</h3>
+      <p>A goal is drawn, and you see only what the enemy is told. Guess where the agent is going.</p>
+      <button type="button" class="primary" @click=${() => void playground.guess.start()}>Start guessing</button>
+    </div>
+  </div>`;
+}

@@ -1,0 +1,50 @@
+// Walking by key and by touch, on the agent's board.
+import { svg, type TemplateResult } from "lit";
+import type { Playground } from "../state/playground.js";
+import { icon } from "../view/icons.js";
+
+const arrow = (turn: number): TemplateResult =>
+  icon(svg`<path transform="rotate(${turn} 8 8)" d="M8 2.5l5 6H10v5H6v-5H3z"></path>`);
+
+export const arrows: Record<string, { action: string; sign: TemplateResult; columns: number; rows: number }> = {
+  ArrowUp: { action: "north", sign: arrow(0), columns: 0, rows: -1 },
+  ArrowLeft: { action: "west", sign: arrow(270), columns: -1, rows: 0 },
+  ArrowRight: { action: "east", sign: arrow(90), columns: 1, rows: 0 },
+  ArrowDown: { action: "south", sign: arrow(180), columns: 0, rows: 1 },
+};
+
+/** Takes the action of a key pressed on the agent's board; true where the key was one. */
+export function walkByKey(playground: Playground, event: KeyboardEvent): boolean {
+  if (playground.mode.value !== "walk" || event.altKey || event.ctrlKey || event.metaKey) return false;
+  if (event.key === "Backspace") {
+    event.preventDefault();
+    void playground.walker.back();
+    return true;
+  }
+  const action = event.key === "s" || event.key === "." ? "stay" : arrows[event.key]?.action;
+  if (action === undefined) return false;
+  event.preventDefault();
+  void playground.walker.take(action);
+  return true;
+}
+
+/** Walks to a cell beside the agent, or stays on its own. */
+function walkToCell(playground: Playground, column: number, row: number): void {
+  const state = playground.timeline.shown.value?.state;
+  if (playground.mode.value !== "walk" || !Array.isArray(state)) return;
+  const [columns, rows] = [column - Number(state[0]), row - Number(state[1])];
+  const action =
+    columns === 0 && rows === 0
+      ? "stay"
+      : Object.values(arrows).find((way) => way.columns === columns && way.rows === rows)?.action;
+  if (action !== undefined) void playground.walker.take(action);
+}
+
+/** The cell of a grid's board under the pointer. */
+export function walkByPointer(playground: Playground, event: MouseEvent): void {
+  const board = (event.currentTarget as HTMLElement).querySelector<SVGSVGElement>("svg.board");
+  const toScreen = board?.getScreenCTM();
+  if (!board || !toScreen) return;
+  const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(toScreen.inverse());
+  walkToCell(playground, Math.floor(point.x), Math.floor(point.y));
+}

@@ -1,0 +1,53 @@
+// Making a grid larger or smaller.
+import { distance, everyCell, inside, sameCell } from "./cells.js";
+import { beliefOf, camerasOf, freeCells, wallsOf, withBelief, withCameras } from "./grid-cells.js";
+import type { Cell, GridworldDocument, Role } from "./types.js";
+
+export const SMALLEST_SIDE = 2;
+export const LARGEST_SIDE = 32;
+
+const roles: readonly Role[] = ["adversarial", "cooperative"];
+
+export interface Resized {
+  document: GridworldDocument;
+  /** What had to give way, in words; empty where everything fitted. */
+  changes: string[];
+}
+
+/** Keeps what fits. The start and the goals move to the nearest free cell; the rest vanishes with its cells. */
+export function resized(document: GridworldDocument, width: number, height: number): Resized {
+  const size = { width, height };
+  const fits = (cell: Cell) => inside(size, cell);
+  const walls = wallsOf(document).filter(fits);
+  const changes: string[] = [];
+  // A wall that fills all that is left would leave no place to be.
+  const open = freeCells({ ...document, ...size, walls });
+  const free = open.length > 0 ? open : everyCell(size).slice(0, 1);
+  const kept = walls.filter((wall) => !free.some((cell) => sameCell(cell, wall)));
+  const moved = (cell: Cell) => (fits(cell) ? cell : nearest(free, cell));
+
+  const start = moved(document.start);
+  const goals = document.goals.map((goal) => ({ ...goal, cell: moved(goal.cell) }));
+  let result: GridworldDocument = { ...document, ...size, start, goals };
+  if (document.walls !== undefined) result.walls = kept;
+  for (const role of roles) {
+    const belief = beliefOf(document, role).filter((cell) => free.some((other) => sameCell(other, cell)));
+    const held = belief.some((cell) => sameCell(cell, start)) ? belief : [start, ...belief];
+    result = withCameras(withBelief(result, role, held), role, camerasOf(document, role).filter(fits));
+  }
+
+  if (!sameCell(start, document.start)) changes.push(`the start moved to ${place(start)}`);
+  for (const [index, { name, cell }] of goals.entries()) {
+    if (!sameCell(cell, document.goals[index]?.cell ?? cell)) changes.push(`${name} moved to ${place(cell)}`);
+  }
+  const lost = wallsOf(document).length - kept.length;
+  if (lost > 0) changes.push(lost === 1 ? "one wall vanished" : `${lost} walls vanished`);
+  return { document: result, changes };
+}
+
+const place = ([column, row]: Cell): string => `column ${column}, row ${row}`;
+
+/** The first in reading order of those that are equally near. */
+function nearest(free: readonly Cell[], cell: Cell): Cell {
+  return free.reduce((best, other) => (distance(other, cell) < distance(best, cell) ? other : best));
+}

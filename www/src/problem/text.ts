@@ -1,0 +1,43 @@
+// A document as text, written for people: one key a line, cells and short objects on one.
+import type { ProblemDocument } from "./types.js";
+
+const LINE = 110;
+
+export function written(document: ProblemDocument): string {
+  return `${block(document, 0)}\n`;
+}
+
+/** On one line when it fits, else one entry a line. */
+function block(value: unknown, depth: number): string {
+  const flat = line(value);
+  const fits = flat.length + 2 * depth <= LINE && depth > 0;
+  if (fits || typeof value !== "object" || value === null) return flat;
+  const indent = "  ".repeat(depth + 1);
+  const end = `\n${"  ".repeat(depth)}`;
+  if (Array.isArray(value)) return rows(value, depth, indent, end);
+  const entries = Object.entries(value).filter(([, entry]) => entry !== undefined);
+  return `{\n${entries.map(([key, entry]) => `${indent}${JSON.stringify(key)}: ${block(entry, depth + 1)}`).join(",\n")}${end}}`;
+}
+
+/** Short entries fill lines; long ones get one each. */
+function rows(list: unknown[], depth: number, indent: string, end: string): string {
+  const lines: string[] = [];
+  for (const entry of list) {
+    const text = block(entry, depth + 1);
+    const last = lines.at(-1);
+    const short = Array.isArray(entry) || typeof entry !== "object";
+    if (short && last !== undefined && last.length + text.length + 2 + indent.length <= LINE) {
+      lines[lines.length - 1] = `${last}, ${text}`;
+    } else {
+      lines.push(text);
+    }
+  }
+  return `[\n${lines.map((text) => indent + text).join(",\n")}${end}]`;
+}
+
+function line(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(line).join(", ")}]`;
+  if (typeof value !== "object" || value === null) return JSON.stringify(value);
+  const entries = Object.entries(value).filter(([, entry]) => entry !== undefined);
+  return `{${entries.map(([key, entry]) => `${JSON.stringify(key)}: ${line(entry)}`).join(", ")}}`;
+}

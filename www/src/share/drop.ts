@@ -1,0 +1,80 @@
+// Files dropped on the page.
+import { signal } from "@preact/signals-core";
+import { html, type TemplateResult } from "lit";
+import type { Playground } from "../state/playground.js";
+import { openFile } from "./files.js";
+
+export class DropTarget {
+  /** A file is being dragged over it. */
+  readonly over = signal(false);
+  private target: EventTarget | null = null;
+  private leaving: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly playground: Playground) {}
+
+  /** Takes what is dropped on `target`: the whole page, or the playground alone. */
+  listen(target: EventTarget): void {
+    this.release();
+    this.target = target;
+    for (const [type, listener] of this.listeners) target.addEventListener(type, listener);
+  }
+
+  release(): void {
+    for (const [type, listener] of this.listeners) this.target?.removeEventListener(type, listener);
+    this.target = null;
+    clearTimeout(this.leaving);
+  }
+
+  private readonly dragged = (event: Event) => {
+    const { dataTransfer } = event as DragEvent;
+    if (dataTransfer === null || inField(event)) return;
+    event.preventDefault();
+    dataTransfer.dropEffect = "copy";
+    clearTimeout(this.leaving);
+    this.over.value = dataTransfer.types.includes("Files");
+  };
+
+  /** Also comes when a part of the page is left for another: then it is over that at once. */
+  private readonly left = () => {
+    clearTimeout(this.leaving);
+    this.leaving = setTimeout(() => {
+      this.over.value = false;
+    }, 100);
+  };
+
+  private readonly dropped = (event: Event) => {
+    const { dataTransfer } = event as DragEvent;
+    this.over.value = false;
+    if (dataTransfer === null || inField(event)) return;
+    event.preventDefault();
+    void this.take(dataTransfer);
+  };
+
+  private readonly listeners: readonly [string, (event: Event) => void][] = [
+    ["dragenter", this.dragged],
+    ["dragover", this.dragged],
+    ["dragleave", this.left],
+    ["drop", this.dropped],
+  ];
+
+  private async take({ items, files }: DataTransfer): Promise<void> {
+    const folder = Array.from(items).some((item) => item.webkitGetAsEntry?.()?.isDirectory === true);
+    const [file] = files;
+    if (folder) this.playground.refuse("That is a folder. Drop one problem document, a .json file.");
+    else if (file === undefined) this.playground.refuse("That is no file. Drop one problem document, a .json file.");
+    else if (files.length > 1)
+      this.playground.refuse(`Those are ${files.length} files. Drop one problem document at a time.`);
+    else await openFile(this.playground, file);
+  }
+}
+
+/** Text can be dragged into a text field, as everywhere. */
+function inField(event: Event): boolean {
+  const types = (event as DragEvent).dataTransfer?.types ?? [];
+  const field = event.target instanceof Element && event.target.closest("input, textarea, [contenteditable]") !== null;
+  return field && !types.includes("Files");
+}
+
+export function dropSign(target: DropTarget): TemplateResult | "" {
+  return target.over.value ? html`<div class="drop"><p>Drop the problem document here</p></div>` : "";
+}

@@ -1,0 +1,26 @@
+// Puts a playground into the state that a link holds.
+import type { Playground } from "../state/playground.js";
+import { planShown, type SharedState } from "./shared-state.js";
+
+/** Nothing changes where the link's problem is not right: then the page says why, and false comes back. */
+export async function restore(playground: Playground, state: SharedState): Promise<boolean> {
+  if (!(await playground.open(state.document, state.form))) return false;
+  const opened = playground.document.value;
+  if (state.tab !== "") playground.workbench.open(state.tab);
+  const { plan = [] } = state;
+  // Who had only begun to walk has no plan yet.
+  if (state.mode === "walk" || (plan.length > 0 && !same(plan, planShown(playground)))) {
+    await showPlan(playground, plan, state);
+  }
+  // Somebody may have gone on already.
+  if (playground.document.value === opened) playground.timeline.goTo(state.step);
+  return true;
+}
+
+async function showPlan(playground: Playground, plan: string[], { mode, title }: SharedState): Promise<void> {
+  if (mode === "walk") return playground.walker.resume(plan);
+  return playground.showPlan(plan, title ?? "the plan of the link");
+}
+
+const same = (one: readonly string[], other: readonly string[]): boolean =>
+  one.length === other.length && one.every((action, index) => action === other[index]);

@@ -1,0 +1,89 @@
+// What a link holds: the problem, what is asked of the solver, the plan shown and the step, and what is open.
+import { emptyForm, type Form, solverNames } from "../state/form.js";
+import type { Mode, Playground } from "../state/playground.js";
+import { LinkError } from "./packed.js";
+
+export interface SharedState {
+  /** The document's text, as it is. */
+  document: string;
+  form: Partial<Form>;
+  /** The actions that are shown; left out while the enemy's player must not know them. */
+  plan?: string[];
+  /** Whose plan it is, where it is not the solver's. */
+  title?: string;
+  step: number;
+  tab: string;
+  mode: Mode;
+}
+
+/** The core takes no longer plans. */
+const LONGEST_PLAN = 10_000;
+const LONGEST_TITLE = 120;
+
+export function stateOf(playground: Playground): SharedState | null {
+  const document = playground.document.value;
+  if (document === null) return null;
+  const { timeline } = playground;
+  const mode = playground.mode.value;
+  const plan = mode === "guess" ? [] : planShown(playground);
+  const title = playground.chosen.value;
+  return {
+    document: document.text,
+    form: changed(playground.form.value),
+    ...(plan.length > 0 ? { plan } : {}),
+    ...(title !== null ? { title } : {}),
+    step: timeline.step.value,
+    tab: playground.workbench.tab.value,
+    mode,
+  };
+}
+
+export function planShown({ timeline }: Playground): string[] {
+  const steps = timeline.trace.value?.steps.slice(1) ?? [];
+  return steps.flatMap(({ action }) => (action === null ? [] : [action]));
+}
+
+/** What differs from a form that nobody touched. */
+function changed(form: Form): Partial<Form> {
+  const initial: Record<string, string> = { ...emptyForm };
+  return Object.fromEntries(Object.entries(form).filter(([field, value]) => value !== initial[field]));
+}
+
+/** Reads what a link held. Whoever made it, nothing of a wrong type gets through. */
+export function readState(text: string): SharedState {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw new LinkError("This link is damaged.");
+  }
+  if (typeof value !== "object" || value === null) throw new LinkError("This link is damaged.");
+  const { document, form, plan, title, step, tab, mode } = value as Record<string, unknown>;
+  if (typeof document !== "string") throw new LinkError("This link is damaged: it holds no problem.");
+  return {
+    document,
+    form: readForm(form),
+    ...(isPlan(plan) ? { plan } : {}),
+    ...(typeof title === "string" && title.length <= LONGEST_TITLE ? { title } : {}),
+    step: typeof step === "number" && Number.isInteger(step) ? step : 0,
+    tab: typeof tab === "string" ? tab : "",
+    mode: mode === "walk" || mode === "guess" ? mode : "plan",
+  };
+}
+
+const isPlan = (value: unknown): value is string[] =>
+  Array.isArray(value) && value.length <= LONGEST_PLAN && value.every((action) => typeof action === "string");
+
+function readForm(value: unknown): Partial<Form> {
+  if (typeof value !== "object" || value === null) return {};
+  const known = Object.entries(value).filter(
+    ([field, text]) => Object.hasOwn(emptyForm, field) && typeof text === "string" && allowed(field, text),
+  );
+  return Object.fromEntries(known);
+}
+
+function allowed(field: string, text: string): boolean {
+  if (field === "solver") return solverNames.some((name) => name === text);
+  if (field === "encoding") return text === "paper" || text === "belief-flow";
+  return /^\d{0,6}$/.test(text);
+}

@@ -1,0 +1,26 @@
+// The best that any plan can reach, always on the screen, and what the plan shown reaches of it.
+import { html, type TemplateResult } from "lit";
+import type { Playground, Result } from "../state/playground.js";
+import { counted, shortNumber } from "../view/numbers.js";
+
+export function bestPossible(playground: Playground): TemplateResult {
+  const optimum = playground.optimum.value;
+  const shown = playground.difference.value;
+  const best = optimum?.outcome.goal_difference ?? null;
+  const less = best !== null && shown !== null && shown < best - 1e-9;
+  return html`<p class="best">${optimum === null ? "Best possible: …" : words(optimum)}${
+    less ? html` · <span class="less">this plan: <b>${shortNumber(shown)}</b></span>` : ""
+  }</p>`;
+}
+
+function words({ options, outcome }: Result): TemplateResult {
+  const { status, goal_difference, limit } = outcome;
+  if (status === "infeasible") return html`No plan can do what is asked.`;
+  if (goal_difference === null) return html`Best possible: not known${limit === undefined ? "" : " (stopped)"}`;
+  const value = html`<b>${shortNumber(goal_difference)}</b>`;
+  if (status !== "optimal") return html`Best found: ${value}`;
+  const { horizon, k, j } = options;
+  const length = typeof horizon === "number" ? ` of ${counted(horizon, "move")}` : "";
+  const bounds = k === undefined && j === undefined ? "" : " within bounds";
+  return html`Best${length === "" && bounds === "" ? " possible" : length + bounds}: ${value}`;
+}

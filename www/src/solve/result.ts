@@ -1,0 +1,51 @@
+// What the solver is doing, or what it answered and whose plan is shown.
+import { html, nothing, type TemplateResult } from "lit";
+import { solvers } from "../state/form.js";
+import type { Playground, Result } from "../state/playground.js";
+import { counted, shortNumber } from "../view/numbers.js";
+import { infeasible } from "./infeasible.js";
+import { shownPlan } from "./shown-plan.js";
+import { caveat, scope, verdict } from "./verdict.js";
+import { work } from "./work.js";
+
+export function result(playground: Playground): TemplateResult {
+  const solving = playground.status.value === "solving" && playground.slow.value;
+  const last = playground.result.value;
+  // Only the answer is announced: progress changes many times a second.
+  return html`<div class="result">
+    ${solving ? working(playground) : nothing}
+    <div role="status">${solving || last === null ? nothing : answered(last)}</div>
+    ${solving || last === null ? nothing : further(playground, last)} ${shownPlan(playground)}
+  </div>`;
+}
+
+function working(playground: Playground): TemplateResult {
+  return html`${work(playground.progress.value, playground.stopwatch.seconds.value, "Solving")}
+    <button type="button" @click=${() => playground.cancel()}>Cancel</button>
+    <small>The best plan found so far is kept.</small>`;
+}
+
+function answered(last: Result): TemplateResult {
+  const { options } = last;
+  return html`<p><b>${solvers[options.solver].title}: ${verdict(last)}${scope(last)}.</b> ${figures(last)} ${caveat(last)}</p>`;
+}
+
+function figures({ outcome }: Result): string {
+  const { plan, goal_difference } = outcome;
+  if (plan === null || goal_difference === null) return "";
+  return `Goal difference ${shortNumber(goal_difference)} in ${counted(plan.length, "move")}.`;
+}
+
+/** What can be done from here: with no plan the nearest that has one, else the solver that was chosen. */
+function further(playground: Playground, last: Result): TemplateResult {
+  const { solver } = playground.form.value;
+  const other = solver !== last.options.solver && solver === playground.ran.value;
+  const stopped = solver === "exact" && ["feasible", "limit"].includes(last.outcome.status);
+  return html`${last.outcome.status === "infeasible" ? infeasible(playground, last) : nothing}
+    ${
+      other || stopped
+        ? html`<button type="button" class="again" @click=${() => playground.solve()}>
+            Solve again${other ? ` with ${solvers[solver].title}` : ""}</button>`
+        : nothing
+    }`;
+}

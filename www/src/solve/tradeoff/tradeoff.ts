@@ -1,0 +1,109 @@
+// What plans can reach at all, in two pictures: the pairs of survivor counts, and the goal difference of each length.
+import { html, nothing, type TemplateResult } from "lit";
+import type { Playground } from "../../state/playground.js";
+import { extras, type Lengths, type Pairs } from "../../state/tradeoff.js";
+import { counted, shortNumber } from "../../view/numbers.js";
+import { shownPlan } from "../shown-plan.js";
+import { work } from "../work.js";
+import { lengthPoints } from "./length-points.js";
+import { lengthsChart } from "./lengths-chart.js";
+import { type Bounds, pairPoints } from "./pair-points.js";
+import { pairsChart } from "./pairs-chart.js";
+import { lengthsTable, pairsTable } from "./tables.js";
+
+/** What is ready sooner needs no sign of work. */
+const SLOW_S = 0.3;
+
+export function tradeoff(playground: Playground): TemplateResult {
+  const state = playground.tradeoff;
+  const { pairs, lengths, busy, stopwatch, error, cut } = state;
+  const slow = busy.value && stopwatch.seconds.value > SLOW_S;
+  const old = !state.current.value && (slow || error.value !== null);
+  return html`<div class="tradeoff">
+    <div class="lead">
+      <p>What plans can reach on this problem. Choose a point to see its plan on the boards.</p>
+    <div role="alert">${
+      error.value === null
+        ? nothing
+        : html`<p class="failed">${error.value} <button type="button" class="small" @click=${() => state.retry()}>Try again</button></p>`
+    }</div>
+    </div>
+    ${
+      slow
+        ? html`<div class="at-work">${work(state.progress.value, stopwatch.seconds.value, "Looking at all plans")}
+            <button type="button" @click=${() => state.cancel()}>Stop</button></div>`
+        : nothing
+    }
+    <div class="charts" aria-busy=${String(busy.value)} data-old=${old || nothing} ?inert=${old}>
+      ${pairs.value === null ? nothing : pairsPart(playground, pairs.value)}
+      ${lengths.value === null ? nothing : lengthsPart(playground, lengths.value)}
+    </div>
+    ${
+      cut.value && !busy.value
+        ? html`<p class="cut">There are too many beliefs to look at every plan in so short a time.
+            <button type="button" class="small" @click=${() => state.lookLonger()}>Look longer</button></p>`
+        : nothing
+    }
+    ${legend} ${shownPlan(playground)}
+  </div>`;
+}
+
+function pairsPart(playground: Playground, { points: pairs, upTo }: Pairs): TemplateResult {
+  const goals = playground.scene.value?.goals.length ?? 2;
+  const bounds = boundsOf(playground);
+  const points = pairPoints(playground, pairs, goals, bounds);
+  const plans = upTo === null ? "plans of every length" : `plans of at most ${counted(upTo, "move")}`;
+  return html`<figure>
+    <figcaption><h3>Who is left in doubt</h3>
+      <p>${
+        points.length === 0
+          ? upTo === 0
+            ? "Not known yet."
+            : "No plan reaches the true goal."
+          : html`${points.length} of ${goals * goals} pairs can be reached, by ${plans}. Up and to the left is better.`
+      }</p></figcaption>
+    ${points.length === 0 ? nothing : html`${pairsChart(points, goals, bounds)} ${pairsTable(points)}`}
+  </figure>`;
+}
+
+function lengthsPart(playground: Playground, { points: lengths, bounds, complete }: Lengths): TemplateResult {
+  const points = lengthPoints(playground, lengths);
+  const [shortest, best] = [points[0], points.find((point) => point.best)];
+  const last = lengths.at(-1)?.length ?? 0;
+  const within = bounds.k === undefined && bounds.j === undefined ? "" : " within the bounds";
+  return html`<figure>
+    <figcaption><h3>What longer plans gain</h3>
+      <p>${
+        shortest === undefined || best === undefined
+          ? `No plan of at most ${counted(last, "move")}${within}.`
+          : html`The shortest plan${within} has ${counted(shortest.length, "move")}; the best here,
+              ${shortNumber(best.goal_difference)}, ${best === shortest ? "is one of them" : html`needs ${best.length} moves`}.
+              ${complete ? nothing : html`Proved up to ${counted(last, "move")}.`}`
+      }</p></figcaption>
+    ${points.length === 0 ? nothing : lengthsChart(points, lengths)}
+    ${extraField(playground)} ${lengths.length === 0 ? nothing : lengthsTable(points, lengths)}
+  </figure>`;
+}
+
+function extraField({ tradeoff }: Playground): TemplateResult {
+  const choose = (event: Event) => {
+    tradeoff.extra.value = Number((event.target as HTMLSelectElement).value);
+  };
+  return html`<label class="extra">Up to
+    <select @change=${choose}>${extras.map(
+      (extra) => html`<option value=${extra} .selected=${extra === tradeoff.extra.value}>${extra}</option>`,
+    )}</select> moves more than the shortest</label>`;
+}
+
+const legend = html`<ul class="chart-legend">
+  <li><svg viewBox="0 0 24 24" aria-hidden="true"><circle class="dot best" cx="12" cy="12" r="8"></circle></svg>best</li>
+  <li><svg viewBox="0 0 24 24" aria-hidden="true"><circle class="dot" cx="12" cy="12" r="5"></circle></svg>possible</li>
+  <li><svg viewBox="0 0 24 24" aria-hidden="true"><circle class="dot outside" cx="12" cy="12" r="5"></circle></svg>outside the bounds k and j</li>
+  <li><svg viewBox="0 0 24 24" aria-hidden="true"><circle class="dot" cx="12" cy="12" r="5"></circle><circle class="ring" cx="12" cy="12" r="10"></circle></svg>on the boards</li>
+  <li><svg viewBox="0 0 24 24" aria-hidden="true"><path class="none" d="M7 7l10 10m0-10l-10 10"></path></svg>no plan of that length</li>
+</ul>`;
+
+function boundsOf(playground: Playground): Bounds {
+  const { k, j } = playground.form.value;
+  return { ...(k === "" ? {} : { k: Number(k) }), ...(j === "" ? {} : { j: Number(j) }) };
+}

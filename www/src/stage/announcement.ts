@@ -1,0 +1,69 @@
+// The step, said once in words for those who do not see the boards.
+import { effect, type ReadonlySignal, signal } from "@preact/signals-core";
+import { html, type TemplateResult } from "lit";
+import type { TraceStep } from "../core.js";
+import type { Playground } from "../state/playground.js";
+import { called, type Role } from "../view/observers.js";
+import { pressed } from "../view/pressed.js";
+
+/** A key held down, or an edit that is solved again and again, is one change and not many. */
+const QUIET_MS = 250;
+
+/** Says where one has come to, once one has come to rest. */
+export class Announcer {
+  readonly said: ReadonlySignal<string>;
+  private readonly words = signal("");
+  private stop: (() => void) | undefined;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(readonly playground: Playground) {
+    this.said = this.words;
+  }
+
+  listen(): void {
+    this.stop ??= effect(() => {
+      const words = sentence(this.playground);
+      clearTimeout(this.timer);
+      if (pressed.value || words === this.words.peek()) return;
+      this.timer = setTimeout(() => {
+        this.words.value = words;
+      }, QUIET_MS);
+    });
+  }
+
+  release(): void {
+    clearTimeout(this.timer);
+    this.stop?.();
+    this.stop = undefined;
+  }
+}
+
+export function announcement(announcer: Announcer): TemplateResult {
+  const { said } = announcer.playground.editing;
+  return html`<p class="unseen" aria-live="polite"><span>${announcer.said.value}</span> <span>${said.value}</span></p>`;
+}
+
+function sentence({ timeline, mode }: Playground): string {
+  const shown = timeline.shown.value;
+  // Playing would be a stream of words: only the step it stops at is said.
+  if (shown === null || timeline.playing.value) return "";
+  const where = `Step ${timeline.step.value}${shown.action === null || mode.value === "guess" ? "" : `, ${shown.action}`}`;
+  if (mode.value === "guess") return `${where}: ${part("adversarial", shown)}.`;
+  return `${where}: ${part("adversarial", shown)}; ${part("cooperative", shown)}.`;
+}
+
+function part(role: Role, shown: TraceStep): string {
+  const symbol = shown.symbols[role];
+  const states = shown.beliefs[role].length;
+  return [
+    `the ${called[role]} ${symbol === null ? "has seen nothing yet" : `saw ${symbol}`}`,
+    `${states} ${states === 1 ? "state" : "states"} left`,
+    survive(shown.goals[role]),
+  ].join(", ");
+}
+
+function survive(goals: readonly string[]): string {
+  if (goals.length === 0) return "no goal survives";
+  if (goals.length === 1) return `goal ${goals[0]} survives`;
+  return `goals ${goals.slice(0, -1).join(", ")} and ${goals.at(-1)} survive`;
+}

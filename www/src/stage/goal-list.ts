@@ -1,0 +1,52 @@
+// The candidate goals, and whether each is possible for each observer: at the step shown, and at the end.
+import { html, type TemplateResult } from "lit";
+import { glossaryLink } from "../help/glossary-link.js";
+import type { Playground } from "../state/playground.js";
+import { possible, ruledOut, star } from "../view/icons.js";
+import { called, type Role, roles } from "../view/observers.js";
+import { type GoalView, goalViews } from "./goal-attributes.js";
+
+export function goalList(playground: Playground): TemplateResult | "" {
+  const scene = playground.scene.value;
+  const { shown, trace } = playground.timeline;
+  const end = trace.value?.steps.at(-1);
+  if (scene === null || shown.value === null || end === undefined) return "";
+  const ends = goalViews(scene, end);
+  const guessing = playground.mode.value === "guess";
+  const shownRoles = guessing ? roles.filter((role) => role === "adversarial") : roles;
+  return html`<table class="goals">
+    <caption>Which ${glossaryLink("candidate-goal", "goals")} are ${glossaryLink("possible", "possible")}?</caption>
+    <thead>
+      <tr>
+        <th scope="col">Goal</th>
+        ${shownRoles.map((role) => html`<th scope="col" class=${role}>For the ${called[role]}</th>`)}
+      </tr>
+    </thead>
+    <tbody>
+      ${goalViews(scene, shown.value).map(
+        (goal, index) => html`<tr data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
+          data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
+          <th scope="row">
+            ${
+              guessing
+                ? html`<span class="name">${goal.name}</span>`
+                : html`<button type="button" class="choose name" title="Show when it dies"
+                    @click=${() => playground.story.choose(goal.name)}>${goal.name}</button>`
+            }
+            ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
+          </th>
+          ${shownRoles.map((role) => survival(role, goal, guessing || playground.difference.value === null ? undefined : ends[index]))}
+        </tr>`,
+      )}
+    </tbody>
+  </table>
+  <p class="story" role="status">${guessing ? "" : playground.story.sentence.value || "Choose a goal to see when it dies, and by which symbol."}</p>`;
+}
+
+function survival(role: Role, goal: GoalView, end: GoalView | undefined): TemplateResult {
+  const alive = goal.alive[role];
+  return html`<td class="${role} ${alive ? "alive" : "dead"}">
+    ${alive ? possible : ruledOut}${alive ? "possible" : "not now"}
+    ${end === undefined ? "" : html`<span class="end">at the end: ${end.alive[role] ? "possible" : "ruled out"}</span>`}
+  </td>`;
+}

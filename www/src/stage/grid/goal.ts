@@ -1,0 +1,31 @@
+// A candidate goal on a board: a badge with its name. On an observer's board it is filled while the goal is possible
+// for that observer, hollow and struck through when it is ruled out. On the agent's board it has a mark for each: a
+// diamond for the enemy, a disc for the friend, filled while the goal is possible for them. The true goal has a star.
+import { nothing, svg } from "lit";
+import { starPath } from "../../view/icons.js";
+import type { BoardName } from "../board-input.js";
+import type { GoalView } from "../goal-attributes.js";
+import { goalInWords, marks } from "../goal-marks.js";
+import type { Cell } from "./cells.js";
+
+const LONGEST_LABEL = 3;
+
+export function goalMark(board: BoardName, goal: GoalView, [column, row]: Cell, scale: number) {
+  const look = board === "actor" ? "plain" : goal.attributes[board];
+  return svg`<g class="goal ${look}" transform=${`translate(${column + 0.5} ${row + 0.5})${scale === 1 ? "" : ` scale(${scale})`}`}
+      data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
+      data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
+    <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
+    <rect class="badge" x="-0.35" y="-0.27" width="0.7" height="0.54" rx="0.16"></rect>
+    ${look === "dead" ? svg`<line class="strike" x1="-0.33" y1="0.27" x2="0.33" y2="-0.27"></line>` : nothing}
+    <text class="label" y="0.115">${shortened(goal.name)}</text>
+    ${board === "actor" ? marks(goal, 0.3) : nothing}
+    ${goal.isTrue ? svg`<path class="star" transform="translate(0.31 -0.29) scale(0.2)" d=${starPath}></path>` : nothing}
+  </g>`;
+}
+
+/** Names are the document's and may be long; the list of goals has them in full. */
+function shortened(name: string): string {
+  const letters = Array.from(name);
+  return letters.length <= LONGEST_LABEL ? name : `${letters.slice(0, LONGEST_LABEL - 1).join("")}…`;
+}

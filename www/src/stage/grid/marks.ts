@@ -1,0 +1,59 @@
+// Marks that lie on many cells, each kind drawn as one path.
+
+import type { State } from "../../core.js";
+import { everyCell, type Size } from "../../problem/cells.js";
+import type { Playground } from "../../state/playground.js";
+import type { BoardName } from "../board-input.js";
+import { type Cell, cellOf, keyOf } from "./cells.js";
+
+const DOT = 0.1;
+
+/** From so many cells on, all that look alike are drawn as one: a browser takes long to paint thousands of shapes. */
+const MANY = 400;
+
+export const isLarge = ({ width, height }: Size): boolean => width * height > MANY;
+
+/** By how much what stands in a cell is drawn larger than the cell, so that it stays readable. */
+export const enlarged = ({ width, height }: Size): number => Math.max(1, Math.max(width, height) / 14);
+
+/** The squares of cells. */
+export const squares = (cells: readonly Cell[]): string =>
+  cells.map(([column, row]) => `M${column + 0.03} ${row + 0.03}h.94v.94h-.94z`).join("");
+
+let lastFloor: { size: Size; path: string } | null = null;
+
+/** The squares of all cells; boards of one size share them. */
+export function floorSquares({ width, height }: Size): string {
+  if (lastFloor === null || lastFloor.size.width !== width || lastFloor.size.height !== height) {
+    lastFloor = { size: { width, height }, path: squares(everyCell({ width, height })) };
+  }
+  return lastFloor.path;
+}
+
+/** A dot on every believed cell, so that it does not take colour to see them. */
+export function dots(believed: readonly State[]): string {
+  return believed
+    .map((state) => {
+      const [column, row] = cellOf(state);
+      return `M${column + 0.5 - DOT} ${row + 0.5}a${DOT} ${DOT} 0 1 0 ${2 * DOT} 0a${DOT} ${DOT} 0 1 0 ${-2 * DOT} 0`;
+    })
+    .join("");
+}
+
+/** Corners around every free cell where the observer sees the agent exactly. */
+export function cameraCorners(cameras: readonly Cell[], walls: readonly Cell[]): string {
+  const walled = new Set(walls.map(keyOf));
+  return cameras
+    .filter((cell) => !walled.has(keyOf(cell)))
+    .map(
+      ([column, row]) =>
+        `M${column + 0.1} ${row + 0.3}v-0.2h0.2M${column + 0.7} ${row + 0.1}h0.2v0.2M${column + 0.9} ${row + 0.7}v0.2h-0.2M${column + 0.3} ${row + 0.9}h-0.2v-0.2`,
+    )
+    .join("");
+}
+
+export function camerasOn(name: BoardName, { document }: Playground): readonly Cell[] {
+  const value = document.value?.value;
+  if (name === "actor" || value?.format !== "gridworld") return [];
+  return value.observers[name].cameras ?? [];
+}

@@ -1,0 +1,29 @@
+// The head of a panel: who it is about, and what has just happened to them.
+import { html, type TemplateResult } from "lit";
+import type { Playground } from "../state/playground.js";
+import { agentFace, enemyEye, friendEye } from "../view/icons.js";
+import type { BoardName } from "./board-input.js";
+
+const heads: Record<BoardName, [icon: TemplateResult, title: string]> = {
+  actor: [agentFace, "What the agent does"],
+  adversarial: [enemyEye, "What the enemy believes"],
+  cooperative: [friendEye, "What the friend believes"],
+};
+
+export function panelHead(name: BoardName, playground: Playground): TemplateResult {
+  const [icon, title] = heads[name];
+  return html`<h2>${icon}${title}</h2>
+    <p class="now">${now(name, playground)}</p>`;
+}
+
+function now(name: BoardName, { timeline, mode }: Playground): TemplateResult | string {
+  const shown = timeline.shown.value;
+  if (shown === null || (mode.value === "guess" && name !== "adversarial")) return "";
+  if (name === "actor") {
+    const who = mode.value === "walk" ? "You" : "The agent";
+    if (shown.action === null) return `${who} ${mode.value === "walk" ? "stand" : "stands"} at the start.`;
+    return html`${who} did <b>${shown.action}</b>.`;
+  }
+  const symbol = shown.symbols[name];
+  return symbol === null ? "Has seen nothing yet." : html`Was told <b>${symbol}</b>.`;
+}

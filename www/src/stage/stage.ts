@@ -1,0 +1,44 @@
+// The stage: the agent in the middle, the enemy on one side and the friend on the other, all at the same step.
+import { html, nothing, type TemplateResult } from "lit";
+import { walkByKey, walkByPointer } from "../play/walk-keys.js";
+import type { Playground } from "../state/playground.js";
+import type { BoardInput, BoardName } from "./board-input.js";
+import { goalDifference } from "./goal-difference.js";
+import { isGrid } from "./grid/cells.js";
+import { panelHead } from "./panel-head.js";
+import { picture } from "./picture.js";
+import { survivors } from "./survivors.js";
+import { symbols } from "./symbols.js";
+
+const boardNames: readonly BoardName[] = ["actor", "adversarial", "cooperative"];
+
+/** While the person walks, the agent's board takes arrow keys and touches. */
+function walkable(name: BoardName, input: BoardInput, playground: Playground): TemplateResult {
+  const drawn = picture(name, input, playground);
+  if (name !== "actor" || playground.mode.value !== "walk" || !isGrid(input.scene)) return drawn;
+  return html`<div class="walkable" tabindex="0" role="application" aria-label="The agent's board: walk with the arrow keys"
+    @keydown=${(event: KeyboardEvent) => walkByKey(playground, event)}
+    @click=${(event: MouseEvent) => walkByPointer(playground, event)}>${drawn}</div>`;
+}
+
+export function stage(playground: Playground): TemplateResult {
+  const scene = playground.scene.value;
+  const { trace, shown, step } = playground.timeline;
+  if (scene === null || trace.value === null || shown.value === null) {
+    return html`<p class="waiting">${playground.error.value === null ? "Loading…" : "There is nothing to show."}</p>`;
+  }
+  const input = { scene, trace: trace.value, step: step.value, shown: shown.value };
+  const guessing = playground.mode.value === "guess";
+  return html`<div class="stage">
+    ${boardNames.map((name) => {
+      const hidden = guessing && name !== "adversarial";
+      return html`<figure class="panel ${name}" data-hidden=${hidden || nothing}>
+        <figcaption>${panelHead(name, playground)} ${hidden ? nothing : symbols(name, playground)}</figcaption>
+        ${hidden ? html`<p class="covered">Covered while you are the enemy.</p>` : walkable(name, input, playground)}
+        <div class="verdict">
+          ${hidden ? nothing : name === "actor" ? goalDifference(playground) : survivors(name, input, playground)}
+        </div>
+      </figure>`;
+    })}
+  </div>`;
+}

@@ -1,0 +1,32 @@
+// The goals that an observer still thinks possible at the step shown.
+import { html, nothing, type TemplateResult } from "lit";
+import { glossaryLink } from "../help/glossary-link.js";
+import type { Playground } from "../state/playground.js";
+import { possible, ruledOut, star } from "../view/icons.js";
+import { called, type Role } from "../view/observers.js";
+import type { BoardInput } from "./board-input.js";
+import { goalViews } from "./goal-attributes.js";
+import { isGrid } from "./grid/cells.js";
+
+/** More goals than these are a list to scroll. */
+const MANY = 12;
+
+export function survivors(role: Role, { scene, shown }: BoardInput, { story, mode }: Playground): TemplateResult {
+  const goals = goalViews(scene, shown);
+  const count = goals.filter((goal) => goal.alive[role]).length;
+  const states = shown.beliefs[role].length;
+  const noun = isGrid(scene) ? "place" : "state";
+  return html`<p class="belief">
+      ${glossaryLink("belief", "Believes")} in <b>${states}</b> ${noun}${states === 1 ? "" : "s"}: <b>${count}</b> of ${goals.length} goals ${glossaryLink("possible", "possible")}
+    </p>
+    <ul class="survivors ${goals.length > MANY ? "many" : ""}" tabindex=${goals.length > MANY ? 0 : nothing} aria-label="Goals for the ${called[role]}">
+      ${goals.map(
+        (goal) => html`<li class=${goal.alive[role] ? "alive" : "dead"} data-goal=${goal.name}
+          data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
+          ?data-true-goal=${goal.isTrue} title="Show when it dies" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
+          ${goal.alive[role] ? possible : ruledOut}<span class="name">${goal.name}</span>${goal.isTrue ? star : ""}
+          <span class="unseen">${goal.alive[role] ? "possible" : "not possible now"}</span>
+        </li>`,
+      )}
+    </ul>`;
+}

@@ -1,0 +1,163 @@
+// All solvers on the problem shown, one after another, in a worker of their own: what is solved live stays instant.
+import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
+import type { Progress, SolveOptions } from "../core.js";
+import { type Ending, SolverClient } from "../worker/client.js";
+import { emptyForm, type Form, optionsOf, solvers } from "./form.js";
+import type { OpenDocument, Playground, Result } from "./playground.js";
+import { Stopwatch } from "./stopwatch.js";
+
+export interface Entrant {
+  title: string;
+  chosen: Pick<Form, "solver"> & Partial<Pick<Form, "encoding">>;
+  /** What should be known before it is waited for. */
+  note?: string;
+}
+
+/** In the order they run: the slow one last. */
+export const entrants: readonly Entrant[] = [
+  { title: solvers.exact.title, chosen: { solver: "exact" } },
+  { title: "Integer program, belief flow", chosen: { solver: "ip", encoding: "belief-flow" } },
+  { title: solvers.search.title, chosen: { solver: "search" } },
+  { title: solvers.baseline.title, chosen: { solver: "baseline" } },
+  { title: solvers.obfuscate.title, chosen: { solver: "obfuscate" } },
+  { title: solvers.legible.title, chosen: { solver: "legible" } },
+  { title: "Integer program, paper", chosen: { solver: "ip", encoding: "paper" }, note: "slow" },
+];
+
+/** The seconds that each may take; the last is without end. */
+export const patiences = [2, 10, 60, Number.POSITIVE_INFINITY] as const;
+
+export interface Row {
+  entrant: Entrant;
+  state: "waiting" | "running" | "answered" | "failed" | "left out";
+  result?: Result;
+  /** Why it was ended before its own end. */
+  ended?: "skipped" | "out of time";
+  seconds?: number;
+  message?: string;
+}
+
+export class Comparison {
+  readonly rows = signal<readonly Row[]>(entrants.map((entrant) => ({ entrant, state: "waiting" })));
+  readonly running = signal(false);
+  readonly progress = signal<Progress | null>(null);
+  readonly stopwatch = new Stopwatch();
+  readonly patience = signal<number>(10);
+  /** What was compared: null before the first time. */
+  private readonly asked = signal<{ document: OpenDocument; bounds: string } | null>(null);
+  private readonly client = new SolverClient();
+  private cancelled = false;
+  private ended: Row["ended"];
+
+  readonly started: ReadonlySignal<boolean> = computed(() => this.asked.value !== null);
+  /** What is shown belongs to an earlier problem, or to other bounds. */
+  readonly outdated: ReadonlySignal<boolean> = computed(() => {
+    const asked = this.asked.value;
+    const document = this.playground.document.value;
+    return asked !== null && (asked.document !== document || asked.bounds !== boundsOf(this.playground.form.value));
+  });
+
+  constructor(private readonly playground: Playground) {
+    effect(() => {
+      if (this.outdated.value) this.drop();
+    });
+  }
+
+  async start(): Promise<void> {
+    const document = this.playground.document.value;
+    if (document === null || this.running.peek()) return;
+    const form = this.playground.form.value;
+    const asked = { document, bounds: boundsOf(form) };
+    this.cancelled = false;
+    batch(() => {
+      this.asked.value = asked;
+      this.running.value = true;
+      this.rows.value = entrants.map((entrant) => ({ entrant, state: "waiting" }));
+    });
+    for (const [index, { chosen }] of entrants.entries()) {
+      if (this.cancelled) break;
+      const options = optionsOf({ ...emptyForm, ...numbersOf(form), ...chosen });
+      if (typeof options === "string") this.change(index, { state: "failed", message: options });
+      else await this.runOne(index, document, options);
+      // Another comparison may have taken its place.
+      if (this.asked.peek() !== asked) return;
+    }
+    batch(() => {
+      this.running.value = false;
+      this.rows.value = this.rows.value.map((row) => (row.state === "waiting" ? { ...row, state: "left out" } : row));
+    });
+  }
+
+  /** Ends the solver at work, with the best it has, and goes on with the next. */
+  skip(): void {
+    this.ended = "skipped";
+    this.client.cancel();
+  }
+
+  /** Ends the solver at work, with the best it has, and runs no other. */
+  cancel(): void {
+    this.cancelled = true;
+    this.skip();
+  }
+
+  dispose(): void {
+    this.drop();
+    this.client.dispose();
+  }
+
+  /** Nobody wants the answers any more. */
+  private drop(): void {
+    if (!this.running.peek()) return;
+    this.cancelled = true;
+    this.client.drop();
+  }
+
+  private async runOne(index: number, document: OpenDocument, options: SolveOptions): Promise<void> {
+    this.ended = undefined;
+    this.change(index, { state: "running" });
+    this.progress.value = null;
+    this.stopwatch.start();
+    const patience = this.patience.peek();
+    const timer = Number.isFinite(patience) ? setTimeout(() => this.outOfTime(), patience * 1000) : undefined;
+    const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) => {
+      if (update.kind === "progress") this.progress.value = update.progress;
+    });
+    clearTimeout(timer);
+    this.change(index, rowOf(ending, options, this.stopwatch.stop(), this.ended));
+  }
+
+  private outOfTime(): void {
+    this.ended ??= "out of time";
+    this.client.cancel();
+  }
+
+  private change(index: number, change: Partial<Row>): void {
+    this.rows.value = this.rows.value.map((row, at) => (at === index ? { ...row, ...change } : row));
+  }
+}
+
+function rowOf(
+  ending: Ending,
+  options: SolveOptions,
+  passed: number,
+  ended: Row["ended"],
+): Partial<Row> & Pick<Row, "state"> {
+  if (ending.kind === "solved") {
+    const { outcome } = ending;
+    const unfinished = outcome.status === "feasible" || outcome.status === "limit";
+    return {
+      state: "answered",
+      result: { options, outcome },
+      seconds: outcome.stats.seconds ?? passed,
+      ...(unfinished && ended !== undefined ? { ended } : {}),
+    };
+  }
+  if (ending.kind === "refused") return { state: "failed", message: ending.message };
+  if (ending.kind === "lost") {
+    return { state: "failed", message: `The solver stopped unexpectedly (${ending.message}); another took its place.` };
+  }
+  return { state: "left out" };
+}
+
+const numbersOf = ({ k, j, horizon, horizonStep }: Form) => ({ k, j, horizon, horizonStep });
+const boundsOf = (form: Form): string => JSON.stringify(numbersOf(form));

@@ -1,0 +1,66 @@
+// When a candidate goal dies for an observer, and which symbol killed it.
+import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import type { Trace } from "../core.js";
+import { called, type Role, roles } from "../view/observers.js";
+import type { Timeline } from "./timeline.js";
+
+/** What becomes of a goal for one observer. */
+export type Fate =
+  /** It is ruled out for good at this step, by this symbol. */
+  { kind: "dies"; step: number; symbol: string } | { kind: "lives" } | { kind: "never" };
+
+/** A goal can be possible at some steps and not at others; it dies where it is possible for the last time before. */
+export function fate(trace: Trace, goal: string, role: Role): Fate {
+  let last = trace.steps.length - 1;
+  while (last >= 0 && !trace.steps[last]?.goals[role].includes(goal)) last -= 1;
+  if (last === -1) return { kind: "never" };
+  const after = trace.steps[last + 1];
+  if (after === undefined) return { kind: "lives" };
+  return { kind: "dies", step: last + 1, symbol: after.symbols[role] ?? "" };
+}
+
+export class GoalStory {
+  /** The goal that was chosen last. */
+  private readonly goal = signal<string | null>(null);
+
+  /** What becomes of it, in words. */
+  readonly sentence: ReadonlySignal<string>;
+
+  constructor(private readonly timeline: Timeline) {
+    this.sentence = computed(() => {
+      const [goal, trace] = [this.goal.value, timeline.trace.value];
+      return goal === null || trace === null ? "" : told(trace, goal);
+    });
+  }
+
+  /** Shows the step where the goal dies for an observer; chosen again, the step where it dies for the other. */
+  choose(goal: string): void {
+    const trace = this.timeline.trace.value;
+    if (trace === null) return;
+    const again = this.goal.value === goal;
+    this.goal.value = goal;
+    const steps = roles
+      .map((role) => fate(trace, goal, role))
+      .flatMap((end) => (end.kind === "dies" ? [end.step] : []));
+    const moments = [...new Set(steps)].sort((a, b) => a - b);
+    const shown = this.timeline.step.value;
+    const next = again ? moments.find((step) => step > shown) : undefined;
+    const target = next ?? moments[0];
+    if (target !== undefined) this.timeline.goTo(target);
+  }
+
+  forget(): void {
+    this.goal.value = null;
+  }
+}
+
+function told(trace: Trace, goal: string): string {
+  const parts = roles.map((role) => {
+    const end = fate(trace, goal, role);
+    const who = `for the ${called[role]}`;
+    if (end.kind === "never") return `${who} it is never possible`;
+    if (end.kind === "lives") return `${who} it is possible at the end`;
+    return `${who} it dies at step ${end.step}, by the symbol “${end.symbol}”`;
+  });
+  return `${goal}: ${parts.join("; ")}.`;
+}

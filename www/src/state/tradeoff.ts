@@ -1,0 +1,168 @@
+// What plans can reach: every pair of survivor counts, and the best of every length. Both follow the problem while they
+// are looked at, in a worker of their own.
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
+import type { LengthPoint, Outcome, Progress, SolveOptions } from "../core.js";
+import { type Ending, SolverClient } from "../worker/client.js";
+import type { OpenDocument, Playground } from "./playground.js";
+import { Stopwatch } from "./stopwatch.js";
+
+export type Pair = NonNullable<Outcome["pareto"]>[number];
+
+export interface Pairs {
+  document: OpenDocument;
+  points: readonly Pair[];
+  /** Plans of how many moves were looked at; null for all lengths. */
+  upTo: number | null;
+}
+
+export interface Lengths {
+  document: OpenDocument;
+  bounds: Bounds;
+  points: readonly LengthPoint[];
+  /** Whether every length that was asked for is there. */
+  complete: boolean;
+}
+
+type Bounds = Pick<SolveOptions, "k" | "j">;
+type Solved = Extract<Ending, { kind: "solved" }>["outcome"];
+
+/** How many moves more than the shortest plan can be looked at. */
+export const extras = [6, 12, 24, 48] as const;
+const PATIENCE_S = 3;
+/** The core looks at no more. */
+const MOST_LENGTHS = 1000;
+
+export class Tradeoff {
+  readonly pairs = signal<Pairs | null>(null);
+  readonly lengths = signal<Lengths | null>(null);
+  readonly busy = signal(false);
+  readonly progress = signal<Progress | null>(null);
+  readonly stopwatch = new Stopwatch();
+  readonly extra = signal<number>(12);
+  /** What went wrong; the next change tries again. */
+  readonly error = signal<string | null>(null);
+  /** Something was given up since it took long. */
+  readonly cut = signal(false);
+  private readonly patience = signal(PATIENCE_S);
+  private readonly client = new SolverClient();
+  private run = 0;
+
+  /** Whether what is shown is of the problem that is open. */
+  readonly current: ReadonlySignal<boolean> = computed(
+    () => this.pairs.value !== null && this.pairs.value.document === this.playground.document.value,
+  );
+  private readonly bounds: ReadonlySignal<string> = computed(() => {
+    const { k, j } = this.playground.form.value;
+    return JSON.stringify({ ...(k === "" ? {} : { k: Number(k) }), ...(j === "" ? {} : { j: Number(j) }) });
+  });
+
+  constructor(private readonly playground: Playground) {
+    effect(() => {
+      const document = playground.document.value;
+      if (document === null || playground.workbench.tab.value !== "trade-off") {
+        this.stop();
+        return;
+      }
+      const asked = { bounds: JSON.parse(this.bounds.value) as Bounds, extra: this.extra.value };
+      void this.look(document, asked, this.patience.value);
+    });
+  }
+
+  /** Ends the work with what is known by then. */
+  cancel(): void {
+    this.client.cancel();
+  }
+
+  lookLonger(): void {
+    this.pairs.value = null;
+    this.patience.value *= 10;
+  }
+
+  retry(): void {
+    this.pairs.value = null;
+    // A new value of the same size: the effect looks again.
+    this.patience.value += 0.001;
+  }
+
+  dispose(): void {
+    this.stop();
+    this.client.dispose();
+  }
+
+  private stop(): void {
+    this.run += 1;
+    this.client.drop();
+    this.stopwatch.stop();
+    this.busy.value = false;
+  }
+
+  private async look(document: OpenDocument, asked: { bounds: Bounds; extra: number }, patience: number) {
+    this.run += 1;
+    const run = this.run;
+    this.begin();
+    const known = this.pairs.peek();
+    const solve = async (options: Omit<SolveOptions, "solver">): Promise<Solved | null> => {
+      const ending = await this.solve(document, { ...options, solver: "exact" }, patience);
+      if (run !== this.run) return null;
+      if (ending.kind === "solved") return ending.outcome;
+      this.fail(ending);
+      return null;
+    };
+
+    let longest = 0;
+    if (known?.document === document && known.upTo === null) {
+      longest = shortest(known.points) + asked.extra;
+    } else {
+      const all = await solve({ pareto: true });
+      if (all === null) return;
+      if (all.status === "optimal" || all.status === "infeasible") {
+        const points = all.pareto ?? [];
+        this.pairs.value = { document, points, upTo: null };
+        longest = shortest(points) + asked.extra;
+      } else {
+        // Too many beliefs for plans of every length: short ones have fewer.
+        this.cut.value = true;
+        longest = (all.plan?.length ?? 0) + asked.extra;
+        const some = await solve({ pareto: true, lengths: Math.min(MOST_LENGTHS, longest) });
+        if (some === null) return;
+        const upTo = some.status === "optimal" || some.status === "infeasible" ? longest : 0;
+        this.pairs.value = { document, points: some.pareto ?? [], upTo };
+      }
+    }
+    const best = await solve({ ...asked.bounds, lengths: Math.min(MOST_LENGTHS, longest) });
+    if (best === null) return;
+    const points = best.lengths ?? [];
+    const complete = points.length > Math.min(MOST_LENGTHS, longest);
+    if (!complete) this.cut.value = true;
+    this.lengths.value = { document, bounds: asked.bounds, points, complete };
+    this.stop();
+  }
+
+  private begin(): void {
+    this.busy.value = true;
+    this.cut.value = false;
+    this.error.value = null;
+    this.progress.value = null;
+    this.stopwatch.start();
+  }
+
+  private async solve(document: OpenDocument, options: SolveOptions, patience: number): Promise<Ending> {
+    const timer = setTimeout(() => this.client.cancel(), patience * 1000);
+    const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) => {
+      if (update.kind === "progress") this.progress.value = update.progress;
+    });
+    clearTimeout(timer);
+    return ending;
+  }
+
+  private fail(ending: Ending): void {
+    this.stop();
+    if (ending.kind === "refused") this.error.value = ending.message;
+    if (ending.kind === "lost") {
+      this.error.value = `The solver stopped unexpectedly (${ending.message}). Another took its place; your problem is as it was.`;
+    }
+  }
+}
+
+const shortest = (points: readonly Pair[]): number =>
+  points.length === 0 ? 0 : Math.min(...points.map(({ plan }) => plan.length));

@@ -1,0 +1,118 @@
+// You are the agent: a walk made by hand, step by step, and how good it is.
+import { batch, signal } from "@preact/signals-core";
+import type { NextAction, Trace } from "../core.js";
+import { SolverClient } from "../worker/client.js";
+import type { Answered } from "../worker/protocol.js";
+import type { Playground } from "./playground.js";
+
+export type Verdict =
+  | { kind: "walking" }
+  | { kind: "comparing"; difference: number; moves: number }
+  | { kind: "compared"; difference: number; moves: number; best: Answered };
+
+export class Walk {
+  /** What can be done after the step shown. */
+  readonly next = signal<readonly NextAction[]>([]);
+  readonly message = signal("");
+  readonly verdict = signal<Verdict>({ kind: "walking" });
+
+  private plan: readonly string[] = [];
+  /** The step that `next` belongs to. */
+  private asked = -1;
+  private readonly judge = new SolverClient();
+  /** One step after the other, however fast the keys come. */
+  private queue: Promise<void> = Promise.resolve();
+
+  constructor(private readonly playground: Playground) {}
+
+  start(): Promise<void> {
+    this.message.value = "";
+    return this.enqueue(() => this.show([]));
+  }
+
+  /** Goes on with a walk that was made elsewhere. */
+  resume(plan: readonly string[]): Promise<void> {
+    this.message.value = "";
+    return this.enqueue(() => this.show(plan));
+  }
+
+  /** Takes an action from the step shown; what was walked beyond it is left. */
+  take(action: string): Promise<void> {
+    return this.enqueue(async () => {
+      if (this.playground.mode.value !== "walk") return;
+      await this.show([...this.plan.slice(0, this.playground.timeline.step.value), action], action);
+    });
+  }
+
+  /** Takes the last action back. */
+  back(): Promise<void> {
+    return this.enqueue(() => this.show(this.plan.slice(0, -1)));
+  }
+
+  /** Another step may be shown: then something else can be done. */
+  async follow(): Promise<void> {
+    const step = this.playground.timeline.step.value;
+    if (this.playground.mode.value !== "walk" || step === this.asked) return;
+    this.asked = step;
+    await this.enqueue(async () => {
+      const walked = await this.playground.walk(this.plan.slice(0, step));
+      if (walked !== null && typeof walked !== "string" && this.asked === step) this.next.value = walked.next;
+    });
+  }
+
+  async showBest(): Promise<void> {
+    const verdict = this.verdict.value;
+    if (verdict.kind !== "compared" || verdict.best.plan === null) return;
+    await this.playground.showPlan(verdict.best.plan, `The best plan with ${verdict.moves} actions`);
+  }
+
+  leave(): void {
+    this.judge.drop();
+    this.playground.showResult();
+  }
+
+  dispose(): void {
+    this.judge.dispose();
+  }
+
+  private enqueue(work: () => Promise<void>): Promise<void> {
+    this.queue = this.queue.then(work);
+    return this.queue;
+  }
+
+  private async show(plan: readonly string[], action?: string): Promise<void> {
+    const walked = await this.playground.walk([...plan]);
+    if (walked === null) return;
+    if (typeof walked === "string") {
+      this.message.value = action === undefined ? walked : `You can't do “${action}” here.`;
+      return;
+    }
+    const { trace, next } = walked;
+    batch(() => {
+      this.plan = plan;
+      this.asked = plan.length;
+      this.next.value = next;
+      this.message.value = "";
+      this.playground.showWalk("walk", trace, "end");
+    });
+    await this.compare(plan, trace);
+  }
+
+  private async compare(plan: readonly string[], trace: Trace): Promise<void> {
+    const document = this.playground.document.value;
+    if (!trace.valid || document === null) {
+      this.judge.drop();
+      this.verdict.value = { kind: "walking" };
+      return;
+    }
+    const own = { difference: trace.goal_difference, moves: plan.length };
+    this.verdict.value = { kind: "comparing", ...own };
+    const options = { solver: "exact", horizon: plan.length } as const;
+    // Nobody should have to wait for it with the next step.
+    void this.judge.run({ kind: "solve", document: document.text, options }).then((ending) => {
+      if (ending.kind === "solved" && this.plan === plan) {
+        this.verdict.value = { kind: "compared", ...own, best: ending.outcome };
+      }
+    });
+  }
+}

@@ -1,0 +1,76 @@
+// The table of the steps: what the boards show, in words and numbers. Choosing a row shows its step.
+import { html, nothing, type TemplateResult } from "lit";
+import { glossaryLink } from "../help/glossary-link.js";
+import { download } from "../share/files.js";
+import type { Playground } from "../state/playground.js";
+import { shortNumber } from "../view/numbers.js";
+import { called, type Role } from "../view/observers.js";
+import { csv } from "./csv.js";
+import { rolesSeen, type StepRow, stepRow } from "./row.js";
+
+export function stepsTable(playground: Playground): TemplateResult | "" {
+  const { timeline } = playground;
+  const trace = timeline.trace.value;
+  if (trace === null) return "";
+  const guessing = playground.mode.value === "guess";
+  const seen = rolesSeen(playground.mode.value);
+  // As the enemy one sees what has come, not what will.
+  const steps = guessing ? trace.steps.slice(0, timeline.step.value + 1) : trace.steps;
+  return html`<div class="steps">
+    <div class="steps-scroll" tabindex="0" role="region" aria-label="Table of the steps">
+      <table>
+        <caption class="unseen">The steps: what was done, what each observer was told, and what is possible then</caption>
+        <thead>
+          <tr>
+            <th scope="col" rowspan="2">Step</th>
+            ${guessing ? nothing : html`<th scope="col" rowspan="2">Action</th>`}
+            ${seen.map((role) => html`<th scope="colgroup" colspan="3" class=${role}>The ${called[role]}</th>`)}
+            ${guessing ? nothing : html`<th scope="col" rowspan="2">${glossaryLink("goal-difference", "GD")}</th>`}
+          </tr>
+          <tr>
+            ${seen.map(
+              (role) => html`<th scope="col" class=${role}>${glossaryLink("symbol", "was told")}</th>
+                <th scope="col">${glossaryLink("belief", "believes")}</th><th scope="col">${glossaryLink("possible", "possible")}</th>`,
+            )}
+          </tr>
+        </thead>
+        <tbody>
+          ${steps.map((shown, index) => row(playground, stepRow(shown, index), seen, guessing))}
+        </tbody>
+      </table>
+    </div>
+    ${
+      guessing
+        ? nothing
+        : html`<div class="actions">
+            <button type="button" @click=${() => save(playground)}>Save as CSV</button>
+            <small>For a spreadsheet: one line a step.</small>
+          </div>`
+    }
+  </div>`;
+}
+
+function row(playground: Playground, step: StepRow, seen: readonly Role[], guessing: boolean): TemplateResult {
+  const { timeline } = playground;
+  const current = step.step === timeline.step.value;
+  return html`<tr aria-current=${current ? "step" : nothing} @click=${() => timeline.goTo(step.step)}>
+    <th scope="row"><button type="button" class="link" aria-label="Step ${step.step}">${step.step}</button></th>
+    ${guessing ? nothing : html`<td>${step.action || "–"}</td>`}
+    ${seen.map((role) => {
+      const { symbol, states, goals } = step.observers[role];
+      return html`<td class=${role}>${symbol || "–"}</td><td class="number">${states}</td>
+        <td>${goals.length === 0 ? "none" : goals.length > MOST_NAMES ? `${goals.length} goals` : goals.join(", ")}</td>`;
+    })}
+    ${guessing ? nothing : html`<td class="number">${shortNumber(step.difference)}</td>`}
+  </tr>`;
+}
+
+/** More would make rows that nobody reads; the boards and the file have them. */
+const MOST_NAMES = 8;
+
+function save({ timeline, gallery }: Playground): void {
+  const trace = timeline.trace.value;
+  if (trace === null) return;
+  const address = URL.createObjectURL(new Blob([csv(trace)], { type: "text/csv" }));
+  download(address, `${gallery.current.value?.name ?? "problem"}-steps.csv`);
+}

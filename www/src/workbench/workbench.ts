@@ -1,0 +1,80 @@
+// The workbench: everything that can be done with the problem shown, one tab for each kind of work.
+import { html, type TemplateResult } from "lit";
+import { solverForm } from "../solve/solver-form.js";
+import type { Playground } from "../state/playground.js";
+import type { Workbench } from "../state/workbench.js";
+import { LazyPanel, type Panel } from "./lazy-panel.js";
+
+export interface Tab {
+  name: string;
+  title: string;
+  panel: Panel;
+}
+
+const lazy = (load: () => Promise<Panel>): Panel => new LazyPanel(load).panel;
+
+/** The tabs, in the order shown. Only the first is there from the beginning; the page is shown sooner without the others. */
+export const tabs: readonly Tab[] = [
+  { name: "solve", title: "Solve", panel: solverForm },
+  { name: "edit", title: "Edit", panel: lazy(async () => (await import("../edit/edit-panel.js")).editPanel) },
+  { name: "play", title: "Play", panel: lazy(async () => (await import("../play/play-panel.js")).playPanel) },
+  { name: "compare", title: "Compare", panel: lazy(async () => (await import("../solve/compare/compare.js")).compare) },
+  {
+    name: "trade-off",
+    title: "Trade-off",
+    panel: lazy(async () => (await import("../solve/tradeoff/tradeoff.js")).tradeoff),
+  },
+  { name: "steps", title: "Steps", panel: lazy(async () => (await import("../steps/steps-table.js")).stepsTable) },
+  {
+    name: "document",
+    title: "Document",
+    panel: lazy(async () => (await import("../share/document-form.js")).documentForm),
+  },
+];
+
+export function workbench(playground: Playground): TemplateResult {
+  const bench = playground.workbench;
+  // The other tabs would tell the enemy what it must not know.
+  const guessing = playground.mode.value === "guess";
+  const id = (kind: string, name: string) => `${bench.id}-${kind}-${name}`;
+  // A link may name a tab that this page does not have.
+  const open = guessing ? "play" : (tabs.find(({ name }) => name === bench.tab.value) ?? tabs[0])?.name;
+  return html`<section class="card workbench" aria-label="Workbench">
+    <div class="tabs" role="tablist" aria-label="Workbench" @keydown=${keys(bench)}>
+      ${tabs.map(
+        ({
+          name,
+          title,
+        }) => html`<button type="button" role="tab" id=${id("tab", name)} data-tab=${name} aria-selected=${String(name === open)}
+          aria-controls=${id("panel", name)} tabindex=${name === open ? 0 : -1} ?disabled=${guessing && name !== open}
+          @click=${() => bench.open(name)}>${title}</button>`,
+      )}
+    </div>
+    ${tabs.map(
+      ({
+        name,
+        panel,
+      }) => html`<div class="tab-panel" role="tabpanel" id=${id("panel", name)} aria-labelledby=${id("tab", name)}
+        ?hidden=${name !== open}>${name === open ? panel(playground) : ""}</div>`,
+    )}
+  </section>`;
+}
+
+/** Arrow keys, Home and End go through the tabs, as in any list of tabs. */
+function keys(bench: Workbench) {
+  return (event: KeyboardEvent) => {
+    const at = tabs.findIndex(({ name }) => name === bench.tab.value);
+    const target: Record<string, number> = {
+      ArrowLeft: (at - 1 + tabs.length) % tabs.length,
+      ArrowRight: (at + 1) % tabs.length,
+      Home: 0,
+      End: tabs.length - 1,
+    };
+    const tab = tabs[target[event.key] ?? -1];
+    if (tab === undefined) return;
+    event.preventDefault();
+    bench.open(tab.name);
+    const list = event.currentTarget as HTMLElement;
+    list.querySelector<HTMLElement>(`[data-tab="${tab.name}"]`)?.focus();
+  };
+}
