@@ -8,7 +8,7 @@ import { visit } from "./support/browser.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
 import { attribute, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
-import { withDeafWorkers, withKnownWorkers } from "./support/workers.js";
+import { withKnownWorkers } from "./support/workers.js";
 
 const pairs = (page: Page) => page.getByRole("group", { name: "Goals possible for the enemy against" });
 const lengths = (page: Page) => page.getByRole("group", { name: "The best goal difference of each plan length" });
@@ -209,26 +209,6 @@ test("a plan can be looked at while the solver goes on", () =>
     await press(page, "Cancel");
     await statusIs(page, "feasible");
   }));
-
-test("a worker that does not obey a stop is replaced", () =>
-  visit(
-    async ({ page }) => {
-      await statusIs(page, "optimal");
-      await useDocument(page, endless());
-      await openTab(page, "Solve");
-      await page.getByText(/states looked at/).waitFor();
-      await press(page, "Cancel");
-      await statusIs(page, "feasible");
-      await openTab(page, "Trade-off");
-      await page
-        .locator(".at-work")
-        .getByText(/states looked at/)
-        .waitFor();
-      await press(page, "Stop");
-      await page.getByText("by plans of at most 14 moves").waitFor();
-    },
-    { before: withDeafWorkers },
-  ));
 
 test("a lost worker is told, and another looks again", () =>
   visit(
