@@ -12,6 +12,7 @@ use std::time::{Duration, Instant};
 
 use mo_copp::domain::gridworld::GridworldShape;
 use mo_copp::problem::Problem;
+use mo_copp::solver::remedy::RemedyRun;
 use mo_copp::solver::{Encoding, Horizon, Options, Outcome, Solver, Status, solve};
 
 fn grid(shape: GridworldShape, seed: u64) -> Arc<Problem> {
@@ -89,6 +90,29 @@ fn at_horizon(
     found
 }
 
+/// The length of a shortest plan for the true goal.
+fn shortest(problem: &Arc<Problem>) -> usize {
+    let none = Options { horizon: Horizon::Steps(0), ..Options::new(Solver::Exact) };
+    let mut run = RemedyRun::new(Arc::clone(problem), none).expect("options that fit");
+    while !run.advance(1000).expect("the search does not break down") {}
+    let advice = run.outcome().expect("remedies do");
+    advice.shortest.expect("drawn problems can be solved")
+}
+
+/// What the page's editor makes at its largest: walls on up to a fifth of the cells, the start alone
+/// or eleven cells believed possible.
+fn largest() -> Vec<Arc<Problem>> {
+    let mut problems = Vec::new();
+    for belief in [1, 11] {
+        for walls in [0, 50, 100, 150, 200] {
+            let paper = GridworldShape::default();
+            let shape = GridworldShape { width: 32, height: 32, walls, belief, ..paper };
+            problems.extend((0..10).map(|seed| grid(shape, seed)));
+        }
+    }
+    problems
+}
+
 fn main() {
     println!("{:34} {:>14} {:>14}   {:32} outcomes", "work", "median", "worst", "to reach");
     let paper = GridworldShape::default();
@@ -111,6 +135,18 @@ fn main() {
     let one = at_horizon(large, 1, [96, 98]);
     let exact = with(&one, &|steps| options(Solver::Exact, Horizon::Steps(steps)));
     line("exact, 64x64, T = 96 or 98", "1 s", 5, &exact);
+
+    let largest: Vec<_> =
+        largest().into_iter().map(|p| (Arc::clone(&p), shortest(&p) + 2)).collect();
+    let limited = |horizon| {
+        let mut exact = options(Solver::Exact, horizon);
+        exact.limits.expansions = 30_000;
+        exact
+    };
+    let any = with(&largest, &|_| limited(Horizon::Any));
+    line("exact, 32x32, all horizons", "100 ms in wasm", 3, &any);
+    let exact = with(&largest, &|steps| limited(Horizon::Steps(steps)));
+    line("exact, 32x32, T = shortest + 2", "100 ms in wasm", 3, &exact);
 
     let flow = with(&eight, &|steps| options(Solver::Ip, Horizon::Steps(steps)));
     line("belief-flow, 8x8, T = 12 or 14", "median 0.1 s, worst 1 s", 3, &flow);

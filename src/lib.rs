@@ -13,6 +13,8 @@ pub mod belief;
 pub mod bindings;
 pub mod document;
 pub mod domain;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod experiment;
 pub mod goal_difference;
 pub mod heuristic;
 pub mod limits;

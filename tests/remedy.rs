@@ -182,7 +182,7 @@ fn a_limited_or_stopped_search_says_that_there_may_be_more() {
             }
         };
         let mut run = RemedyRun::new(Arc::clone(&judge.problem), options.clone()).unwrap();
-        for _ in 0..dice.below(12) {
+        for _ in 0..dice.below(40) {
             run.advance(2).unwrap();
         }
         let advice = run.outcome().unwrap();

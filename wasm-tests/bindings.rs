@@ -237,4 +237,29 @@ fn states_and_scenes_have_the_shape_of_their_format() {
     let scene: JsValue = delivery().scene().unwrap().into();
     assert_eq!(text(&scene, "format"), "delivery");
     assert_eq!(length(&scene, "factories"), 2);
+    let problem = Problem::new(include_str!("../examples/logistics.json")).unwrap();
+    let scene: JsValue = problem.scene().unwrap().into();
+    assert_eq!(text(&scene, "format"), "pddl");
+    assert_eq!(text(&scene, "domain"), "logistics");
+    assert_eq!(text(&scene, "objects.0.name"), "airport1");
+    let types = JSON::stringify(&get(&scene, "objects.0.types")).unwrap();
+    assert_eq!(String::from(types), r#"["object","place","airport"]"#);
+    assert_eq!(text(&scene, "predicates.2.name"), "road");
+    assert_eq!(get(&scene, "predicates.2.changes").as_bool(), Some(false));
+    assert_eq!(get(&scene, "predicates.0.changes").as_bool(), Some(true));
+    assert_eq!(get(&scene, "predicates.0.arguments").as_f64(), Some(2.0));
+    assert_eq!(text(&scene, "initial.0"), "(at truck1 airport1)");
+    assert!(text(&scene, "goals.0.condition").starts_with("(and (at p1"));
+}
+
+#[wasm_bindgen_test]
+fn bad_pddl_throws_its_line_and_column() {
+    let text =
+        include_str!("../examples/logistics.json").replace("(at p6 airport1)", "(at p7 airport1)");
+    let error = Problem::new(&text).unwrap_err();
+    assert_eq!(text(&error, "name"), "DocumentError");
+    assert_eq!(text(&error, "path"), "problem");
+    assert!(text(&error, "message").starts_with("problem, line 21, column 9: found "));
+    assert_eq!(get(&error, "line").as_f64(), Some(21.0));
+    assert_eq!(get(&error, "column").as_f64(), Some(9.0));
 }

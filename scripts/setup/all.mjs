@@ -3,6 +3,7 @@ import { ensureChromium } from "./chromium.mjs";
 import { ensureHighs } from "./highs.mjs";
 import { ensureNode } from "./node.mjs";
 import { ensureNpmPackages } from "./npm-packages.mjs";
+import { ensureParallel } from "./parallel.mjs";
 import { SetupError } from "./report.mjs";
 import { ensureRust, ensureRustLinters, ensureWasmTarget } from "./rust.mjs";
 import { ensureWasmBindgen } from "./wasm-bindgen.mjs";
@@ -14,7 +15,7 @@ const wasm = [ensureRust, ensureWasmTarget, ensureNpmPackages, ensureWasmPack, e
 export const needs = {
   page: wasm,
   lint: [...wasm, ensureRustLinters],
-  rust: [ensureRust, ensureHighs],
+  rust: [ensureRust, ensureHighs, ensureParallel],
   wasm,
   browser: [...wasm, ensureChromium],
 };

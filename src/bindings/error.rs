@@ -40,6 +40,13 @@ pub(super) fn document(error: &DocumentError) -> JsValue {
             set("line", (*line as u32).into());
             set("column", (*column as u32).into());
         }
+        DocumentError::Pddl { path, line, column, found, expected } => {
+            set("path", path.into());
+            set("line", (*line as u32).into());
+            set("column", (*column as u32).into());
+            set("found", found.into());
+            set("expected", expected.into());
+        }
         DocumentError::Invalid { path, found, expected } => {
             set("path", path.into());
             set("found", found.into());

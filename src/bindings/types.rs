@@ -110,7 +110,7 @@ export interface Progress {
 }
 
 interface SceneBase {
-  goals: { name: string; cell?: Cell }[];
+  goals: { name: string; cell?: Cell; condition?: string }[];
   true_goal: string;
   observers: { name: string; role: Role }[];
 }
@@ -136,7 +136,19 @@ export interface DeliveryScene extends SceneBase {
   deliver: number;
 }
 export interface ExplicitScene extends SceneBase { format: "explicit" }
-export type Scene = GridworldScene | BoxPushingScene | RecyclingRobotScene | DeliveryScene | ExplicitScene;
+/** Atoms are texts, `(on a b)`, here and in states. */
+export interface PddlScene extends SceneBase {
+  format: "pddl";
+  domain: string;
+  /** Each with all types that it is of, `object` among them. */
+  objects: { name: string; types: string[] }[];
+  /** The atoms of a predicate that no action `changes` stand in `initial` alone. */
+  predicates: { name: string; arguments: number; changes: boolean }[];
+  initial: string[];
+  goals: { name: string; condition: string }[];
+}
+export type Scene =
+  GridworldScene | BoxPushingScene | RecyclingRobotScene | DeliveryScene | ExplicitScene | PddlScene;
 "#;
 
 #[wasm_bindgen]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::experiment::args::ExperimentArgs;
 use clap::{Args, Parser, Subcommand};
 use mo_copp::domain::generate::Domain;
 use mo_copp::limits::Limits;
@@ -18,6 +19,7 @@ Examples:
   mo-copp solve grid.json --solver search --k 2 --j 2
   mo-copp trace grid.json --plan north,north,east
   mo-copp plan domain.pddl task.pddl
+  mo-copp experiment fig3 --problems 5
 
 Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no plan found.")]
 pub struct CommandLine {
@@ -39,6 +41,8 @@ pub enum Command {
     Plan(PlanArgs),
     /// Print a random problem document.
     Generate(GenerateArgs),
+    /// Repeat the paper's experiments: records, tables, figures.
+    Experiment(ExperimentArgs),
 }
 
 /// What the plan must achieve.
@@ -221,9 +225,11 @@ The same seed gives the same document everywhere.
 Examples:
   mo-copp generate gridworld --seed 7 --width 6 --height 6 --walls 5
   mo-copp generate recycling-robot --seed 7 --battery-levels 7
-  mo-copp generate delivery --seed 7 --packages 5")]
+  mo-copp generate delivery --seed 7 --packages 5
+  mo-copp generate blocksworld --seed 7 --blocks 4")]
 pub struct GenerateArgs {
-    /// What kind of problem: gridworld, box-pushing, recycling-robot or delivery.
+    /// What kind of problem: gridworld, box-pushing, recycling-robot, delivery, blocksworld,
+    /// logistics or driverlog.
     #[arg(value_parser = domain, value_name = "DOMAIN")]
     pub domain: Domain,
     /// The seed of the random numbers.
@@ -235,7 +241,7 @@ pub struct GenerateArgs {
     /// Rows of a grid [default: the paper's].
     #[arg(long, value_name = "N")]
     pub height: Option<u32>,
-    /// Candidate goals in a grid [default: 3].
+    /// Candidate goals [default: 3, in the domains in PDDL 5].
     #[arg(long, value_name = "N")]
     pub goals: Option<u32>,
     /// Walls in a grid [default: 0].
@@ -251,12 +257,15 @@ pub struct GenerateArgs {
     /// Factories of a delivery [default: 3].
     #[arg(long, value_name = "N")]
     pub factories: Option<u32>,
-    /// Packages of a delivery [default: 6].
+    /// Packages of a delivery [default: 6], logistics [6] or driverlog [2].
     #[arg(long, value_name = "N")]
     pub packages: Option<u32>,
     /// How many packages to deliver [default: 2].
     #[arg(long, value_name = "N")]
     pub deliver: Option<u32>,
+    /// Blocks of a blocksworld [default: 5].
+    #[arg(long, value_name = "N")]
+    pub blocks: Option<u32>,
 }
 
 fn named<T: Copy>(

@@ -2,6 +2,7 @@
 
 use mo_copp::document::DocumentError;
 use mo_copp::domain::generate::GenerateError;
+use mo_copp::experiment::ExperimentError;
 use mo_copp::limits::LimitReached;
 use mo_copp::pddl::PddlError;
 use mo_copp::plan::PlanError;
@@ -50,6 +51,9 @@ pub enum CliError {
     /// A model that is too large to write.
     #[error("{0}")]
     Limit(#[from] LimitReached),
+    /// An experiment that cannot go on.
+    #[error("{0}")]
+    Experiment(#[from] ExperimentError),
     /// The output cannot be written.
     #[error("cannot write the output: {0}")]
     Output(std::io::Error),

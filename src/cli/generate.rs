@@ -4,6 +4,7 @@ use mo_copp::domain::box_pushing::BoxPushingShape;
 use mo_copp::domain::delivery::DeliveryShape;
 use mo_copp::domain::generate::{Domain, Drawn};
 use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::domain::pddl::generate::{BlocksworldShape, DriverlogShape, LogisticsShape};
 use mo_copp::domain::recycling_robot::RecyclingRobotShape;
 use mo_copp::solver::OptionsError;
 
@@ -18,6 +19,9 @@ pub fn run(args: &GenerateArgs) -> Result<u8, CliError> {
         Domain::BoxPushing => box_pushing(args)?,
         Domain::RecyclingRobot => recycling_robot(args)?,
         Domain::Delivery => delivery(args)?,
+        Domain::Blocksworld => blocksworld(args)?,
+        Domain::Logistics => logistics(args)?,
+        Domain::Driverlog => driverlog(args)?,
     };
     print(&(drawn.document.to_json() + "\n"))?;
     if drawn.redraws > 0 {
@@ -44,6 +48,7 @@ fn allow(args: &GenerateArgs, sizes: &[&str]) -> Result<(), CliError> {
         ("factories", args.factories),
         ("packages", args.packages),
         ("deliver", args.deliver),
+        ("blocks", args.blocks),
     ];
     let other = |&(option, value): &(&'static str, Option<u32>)| {
         value.filter(|_| !sizes.contains(&option)).map(|value| (option, value))
@@ -119,6 +124,40 @@ fn delivery(args: &GenerateArgs) -> Result<Drawn, CliError> {
         factories: args.factories.unwrap_or(default.factories.min(packages).max(1)),
         packages,
         deliver: args.deliver.unwrap_or(default.deliver),
+    };
+    Ok(shape.generate(args.seed)?.any())
+}
+
+fn blocksworld(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    allow(args, &["blocks", "goals"])?;
+    let default = BlocksworldShape::default();
+    let shape = BlocksworldShape {
+        blocks: args.blocks.unwrap_or(default.blocks),
+        goals: args.goals.unwrap_or(default.goals),
+    };
+    Ok(shape.generate(args.seed)?.any())
+}
+
+fn logistics(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    allow(args, &["packages", "goals"])?;
+    let default = LogisticsShape::default();
+    let packages = args.packages.unwrap_or(default.packages);
+    let shape = LogisticsShape {
+        packages,
+        facts: default.facts.min(packages),
+        goals: args.goals.unwrap_or(default.goals),
+        ..default
+    };
+    Ok(shape.generate(args.seed)?.any())
+}
+
+fn driverlog(args: &GenerateArgs) -> Result<Drawn, CliError> {
+    allow(args, &["packages", "goals"])?;
+    let default = DriverlogShape::default();
+    let shape = DriverlogShape {
+        packages: args.packages.unwrap_or(default.packages),
+        goals: args.goals.unwrap_or(default.goals),
+        ..default
     };
     Ok(shape.generate(args.seed)?.any())
 }

@@ -5,6 +5,7 @@
 mod args;
 mod encode;
 mod error;
+mod experiment;
 mod generate;
 mod input;
 mod plan;
@@ -37,6 +38,7 @@ pub fn main() -> ExitCode {
         Command::Encode(args) => encode::run(&args),
         Command::Plan(args) => plan::run(&args),
         Command::Generate(args) => generate::run(&args),
+        Command::Experiment(args) => experiment::run_command(&args),
     };
     match done {
         Ok(code) => ExitCode::from(code),

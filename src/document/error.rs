@@ -15,6 +15,20 @@ pub enum DocumentError {
         /// What the JSON reader says.
         message: String,
     },
+    /// A text in PDDL inside of the document that cannot be read.
+    #[error("{path}, line {line}, column {column}: found {found}, expected {expected}")]
+    Pddl {
+        /// Where the text stands, as in `goals[1].condition`.
+        path: String,
+        /// The line in the text, from 1.
+        line: usize,
+        /// The column, from 1.
+        column: usize,
+        /// What stands there.
+        found: String,
+        /// What should.
+        expected: String,
+    },
     /// A value that does not fit.
     #[error("{path}: found {found}, expected {expected}")]
     Invalid {

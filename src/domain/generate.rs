@@ -10,6 +10,7 @@ use super::Document;
 use super::box_pushing::BoxPushingShape;
 use super::delivery::DeliveryShape;
 use super::gridworld::GridworldShape;
+use super::pddl::generate::{BlocksworldShape, DriverlogShape, LogisticsShape};
 use super::recycling_robot::RecyclingRobotShape;
 use crate::problem::{Goal, Problem};
 use crate::task::StateSpace;
@@ -63,20 +64,36 @@ pub enum Domain {
     RecyclingRobot,
     /// Factories, packages and a truck.
     Delivery,
+    /// Towers of blocks.
+    Blocksworld,
+    /// Packages, trucks and airplanes.
+    Logistics,
+    /// Packages, trucks and their drivers.
+    Driverlog,
 }
 
 impl Domain {
     /// All of them.
-    pub const ALL: [Self; 4] =
-        [Self::Gridworld, Self::BoxPushing, Self::RecyclingRobot, Self::Delivery];
+    pub const ALL: [Self; 7] = [
+        Self::Gridworld,
+        Self::BoxPushing,
+        Self::RecyclingRobot,
+        Self::Delivery,
+        Self::Blocksworld,
+        Self::Logistics,
+        Self::Driverlog,
+    ];
 
-    /// The name: the format of its documents.
+    /// The name. The last three have documents of the format `pddl`, the others one of this name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Gridworld => "gridworld",
             Self::BoxPushing => "box-pushing",
             Self::RecyclingRobot => "recycling-robot",
             Self::Delivery => "delivery",
+            Self::Blocksworld => "blocksworld",
+            Self::Logistics => "logistics",
+            Self::Driverlog => "driverlog",
         }
     }
 
@@ -106,6 +123,9 @@ impl Domain {
             Self::BoxPushing => BoxPushingShape::default().generate(seed).map(Drawn::any),
             Self::RecyclingRobot => RecyclingRobotShape::default().generate(seed).map(Drawn::any),
             Self::Delivery => DeliveryShape::default().generate(seed).map(Drawn::any),
+            Self::Blocksworld => BlocksworldShape::default().generate(seed).map(Drawn::any),
+            Self::Logistics => LogisticsShape::default().generate(seed).map(Drawn::any),
+            Self::Driverlog => DriverlogShape::default().generate(seed).map(Drawn::any),
         }
     }
 }

@@ -11,6 +11,7 @@ pub mod generate;
 pub mod grid;
 pub mod gridworld;
 mod observers;
+pub mod pddl;
 pub mod recycling_robot;
 
 use serde::Serialize;
@@ -20,6 +21,7 @@ pub use delivery::Delivery;
 pub use explicit::Explicit;
 pub use gridworld::Gridworld;
 pub use observers::Observers;
+pub use pddl::Pddl;
 pub use recycling_robot::RecyclingRobot;
 
 use crate::document::DocumentError;
@@ -41,6 +43,8 @@ pub enum Document {
     Delivery(Delivery),
     /// States and transitions one by one.
     Explicit(Explicit),
+    /// A task in PDDL, with sensors by rule.
+    Pddl(Pddl),
 }
 
 impl From<Gridworld> for Document {
@@ -73,6 +77,12 @@ impl From<Explicit> for Document {
     }
 }
 
+impl From<Pddl> for Document {
+    fn from(document: Pddl) -> Self {
+        Self::Pddl(document)
+    }
+}
+
 impl Document {
     /// Reads a document of any format.
     ///
@@ -85,11 +95,12 @@ impl Document {
     /// let error = Document::parse(r#"{"format": "chess"}"#).unwrap_err();
     /// assert_eq!(
     ///     error.to_string(),
-    ///     r#"format: found "chess", expected gridworld, box-pushing, recycling-robot, delivery or explicit"#
+    ///     r#"format: found "chess", expected gridworld, box-pushing, recycling-robot, delivery, explicit or pddl"#
     /// );
     /// ```
     pub fn parse(text: &str) -> Result<Self, DocumentError> {
-        const EXPECTED: &str = "gridworld, box-pushing, recycling-robot, delivery or explicit";
+        const EXPECTED: &str =
+            "gridworld, box-pushing, recycling-robot, delivery, explicit or pddl";
         let json = Json::parse(text)?;
         let reader = Reader::new(&json);
         let format = reader.entries()?.required("format", EXPECTED)?;
@@ -100,6 +111,7 @@ impl Document {
             "recycling-robot" => RecyclingRobot::read(&reader).map(Self::RecyclingRobot),
             "delivery" => Delivery::read(&reader).map(Self::Delivery),
             "explicit" => Explicit::read(&reader).map(Self::Explicit),
+            "pddl" => Pddl::read(&reader).map(Self::Pddl),
             _ => Err(format.expected(EXPECTED)),
         }
     }
@@ -116,6 +128,7 @@ impl Document {
             Self::RecyclingRobot(robot) => robot.problem(),
             Self::Delivery(delivery) => delivery.problem(),
             Self::Explicit(explicit) => explicit.problem(),
+            Self::Pddl(pddl) => pddl.problem(),
         }
     }
 

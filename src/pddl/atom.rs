@@ -116,7 +116,7 @@ impl Scope<'_> {
     }
 }
 
-fn arguments_of(count: usize) -> String {
+pub(super) fn arguments_of(count: usize) -> String {
     match count {
         0 => "no argument".to_owned(),
         1 => "1 argument".to_owned(),

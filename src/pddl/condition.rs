@@ -6,7 +6,7 @@ use super::expression::Expression;
 use super::literals::Literals;
 
 /// A conjunction of literals over objects.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
 pub struct Condition {
     /// What must hold, sorted.
     pub positive: Vec<Atom>,

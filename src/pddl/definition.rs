@@ -44,6 +44,17 @@ pub struct TaskDefinition {
 /// # Ok::<(), mo_copp::pddl::PddlError>(())
 /// ```
 pub fn read_task(domain: &Domain, text: &str) -> Result<TaskDefinition, PddlError> {
+    let (task, has_goal) = read_open_task(domain, text)?;
+    if has_goal { Ok(task) } else { Err(Tree::read(text)?.ends("(:goal …) in the task")) }
+}
+
+/// Reads a task that may do without a `:goal`, and whether it has one. The goal is empty where
+/// there is none.
+///
+/// # Errors
+///
+/// [`PddlError`] with the place of what is wrong or not supported.
+pub fn read_open_task(domain: &Domain, text: &str) -> Result<(TaskDefinition, bool), PddlError> {
     const KNOWN: [&str; 6] = [":domain", ":requirements", ":objects", ":init", ":goal", ":length"];
     let tree = Tree::read(text)?;
     let (name, items) = define(&tree, "problem")?;
@@ -66,13 +77,14 @@ pub fn read_task(domain: &Domain, text: &str) -> Result<TaskDefinition, PddlErro
     objects.map_or(Ok(()), |items| all.read(&domain.types, items))?;
     let scope = scope(domain, &all);
     let initial = initial.map_or_else(|| Ok(Vec::new()), |items| state(&scope, items))?;
-    let mut goal = goal.ok_or_else(|| tree.ends("(:goal …) in the task"))?;
-    let goal = match (goal.next(), goal.next()) {
-        (Some(goal), None) => Condition::read(&scope, goal)?,
-        (_, Some(more)) => return Err(more.expected("one condition in (:goal …)")),
-        (None, None) => return Err(tree.ends("a condition in (:goal …)")),
+    let has_goal = goal.is_some();
+    let goal = match goal.map(|mut goal| (goal.next(), goal.next())) {
+        None => Condition::default(),
+        Some((Some(goal), None)) => Condition::read(&scope, goal)?,
+        Some((_, Some(more))) => return Err(more.expected("one condition in (:goal …)")),
+        Some((None, None)) => return Err(tree.ends("a condition in (:goal …)")),
     };
-    Ok(TaskDefinition { name, domain: of, objects: all, initial, goal })
+    Ok((TaskDefinition { name, domain: of, objects: all, initial, goal }, has_goal))
 }
 
 /// Reads a ground condition over the objects of a task: a goal, a belief, what a sensor sees.

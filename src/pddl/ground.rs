@@ -31,6 +31,9 @@ pub const MAX_ATOMS: usize = if cfg!(target_arch = "wasm32") { 200_000 } else { 
 pub const MAX_LITERALS_IN_ALL: usize =
     if cfg!(target_arch = "wasm32") { 2_000_000 } else { 20_000_000 };
 
+/// The most bytes of further states, one bit for each atom of each.
+pub const MAX_STATE_BYTES: usize = if cfg!(target_arch = "wasm32") { 32 << 20 } else { 256 << 20 };
+
 /// Why a task was not grounded.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum GroundError {
@@ -49,6 +52,12 @@ pub enum GroundError {
     /// More literals in preconditions and effects than allowed.
     #[error("grounding limit reached: {limit} literals in ground operators")]
     Literals {
+        /// The limit.
+        limit: usize,
+    },
+    /// More states to begin in than allowed.
+    #[error("grounding limit reached: {limit} bytes of initial states")]
+    States {
         /// The limit.
         limit: usize,
     },
@@ -83,6 +92,8 @@ pub struct Grounded {
     pub goal: Option<Vec<Fact>>,
     /// The same for each of the further conditions, in their order.
     pub conditions: Vec<Option<Vec<Fact>>>,
+    /// A fact that never holds; there where a condition or the goal can never hold.
+    pub never: Option<Fact>,
     /// The further states, in their order.
     pub states: Vec<State>,
     instances: Vec<(u32, Box<[ObjectId]>)>,
@@ -100,8 +111,8 @@ impl Grounded {
         &self.instances[action.index()].1
     }
 
-    /// The atom of a fact, and whether the fact is that it does not hold. None for the fact of a
-    /// goal that can never hold.
+    /// The atom of a fact, and whether the fact is that it does not hold. None for the fact that
+    /// never holds.
     pub fn atom(&self, fact: Fact) -> Option<(&Atom, bool)> {
         self.atoms.get(fact.index()).map(|(atom, negated)| (atom, *negated))
     }
@@ -142,6 +153,9 @@ pub fn ground(
     let initial: Vec<&Atom> = states.iter().copied().flatten().collect();
     let reached = reach(domain, &rules, &task.objects, &initial)?;
     let (atoms, mut operators) = operators(&rules, reached)?;
+    if states.len().saturating_mul(atoms.len().div_ceil(8)) > MAX_STATE_BYTES {
+        return Err(GroundError::States { limit: MAX_STATE_BYTES });
+    }
     let initial: Vec<FixedBitSet> = states
         .iter()
         .map(|state| {
@@ -317,10 +331,9 @@ impl<'a> Facts<'a> {
             .collect::<Vec<_>>();
         let meanings_left = meanings.split_off(1);
         let goal = meanings.pop().flatten();
-        let goal_facts = match &goal {
-            Some(goal) => goal.clone(),
-            None => vec![builder.fact("a goal that can never hold")],
-        };
+        let can_fail = goal.is_none() || meanings_left.iter().any(Option::is_none);
+        let never = can_fail.then(|| builder.fact("a condition that can never hold"));
+        let goal_facts = goal.clone().unwrap_or_else(|| never.into_iter().collect());
         let mut states = Vec::with_capacity(initial.len());
         for state in initial {
             let mut holding = Vec::new();
@@ -340,6 +353,6 @@ impl<'a> Facts<'a> {
             })
         };
         let states = states[1..].iter().map(pack).collect::<Result<_, _>>()?;
-        Ok(Grounded { goal, conditions: meanings_left, states, instances, atoms, task })
+        Ok(Grounded { goal, conditions: meanings_left, never, states, instances, atoms, task })
     }
 }

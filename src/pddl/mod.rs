@@ -5,7 +5,8 @@
 //! `:negative-preconditions`; anything else is refused by its name. Names are in small letters.
 //!
 //! - [`read_domain`] and [`read_task`] read the two files of a task, [`read_condition`] and
-//!   [`read_state`] further conditions and states over its objects,
+//!   [`read_state`] further conditions and states over its objects, [`Pattern`] patterns over its
+//!   operators,
 //! - [`ground`](ground()) makes a [`Task`](crate::task::Task) of them that holds what can be reached.
 //!
 //! Reading goes text → expressions with places (`expression`) → domain, task; every error names line
@@ -27,6 +28,7 @@ mod join;
 mod literals;
 mod object;
 mod operators;
+mod pattern;
 mod predicate;
 mod reach;
 mod rule;
@@ -35,16 +37,18 @@ mod types;
 
 pub use atom::{Atom, LiftedAtom, Term};
 pub use condition::Condition;
-pub use definition::{TaskDefinition, read_condition, read_state, read_task};
+pub use definition::{TaskDefinition, read_condition, read_open_task, read_state, read_task};
 pub use domain::{Domain, read_domain};
 pub use error::PddlError;
 pub use expression::{MAX_BYTES, MAX_DEPTH};
 pub use ground::{
-    GroundError, Grounded, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS, More, ground,
+    GroundError, Grounded, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS, MAX_STATE_BYTES, More,
+    ground,
 };
 pub use join::MAX_JOIN_STEPS;
 pub use literals::{Literals, MAX_LITERALS};
 pub use object::{ObjectId, Objects};
+pub use pattern::{Group, Pattern};
 pub use predicate::{PredicateId, Predicates};
 pub use schema::{MAX_PARAMETERS, Parameters, Schema};
 pub use types::{MAX_ALTERNATIVES, MAX_TYPES, TypeId, TypeSet, Types};

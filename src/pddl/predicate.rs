@@ -68,6 +68,11 @@ impl Predicates {
         self.names.is_empty()
     }
 
+    /// All of them, in order.
+    pub fn ids(&self) -> impl Iterator<Item = PredicateId> + use<> {
+        (0..self.names.len()).map(PredicateId::new)
+    }
+
     /// The name of one, in small letters.
     pub fn name(&self, id: PredicateId) -> &str {
         &self.names[id.index()]

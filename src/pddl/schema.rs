@@ -28,19 +28,30 @@ impl Parameters {
         let items = place.items("a list of parameters, as in (?x ?y - block)")?;
         for (item, set) in types.list(items)? {
             let name = item.variable()?;
-            if parameters.names.len() == MAX_PARAMETERS {
-                let found = format!("more than {MAX_PARAMETERS} parameters");
-                return Err(item.wrong(found, "at most that"));
-            }
-            let position = parameters.names.len() as u32;
-            if parameters.positions.insert(name.clone(), position).is_some() {
+            if parameters.position(&name).is_some() {
                 let found = format!("the parameter {} for the second time", item.shown());
                 return Err(item.wrong(found, "each parameter declared once"));
             }
-            parameters.names.push(name);
-            parameters.types.push(set);
+            parameters.push(item, name, set)?;
         }
         Ok(parameters)
+    }
+
+    /// Adds one that is not there yet.
+    pub(super) fn push(
+        &mut self,
+        place: Expression<'_>,
+        name: String,
+        types: Arc<TypeSet>,
+    ) -> Result<(), PddlError> {
+        if self.names.len() == MAX_PARAMETERS {
+            let found = format!("more than {MAX_PARAMETERS} parameters");
+            return Err(place.wrong(found, "at most that"));
+        }
+        self.positions.insert(name.clone(), self.names.len() as u32);
+        self.names.push(name);
+        self.types.push(types);
+        Ok(())
     }
 
     /// How many there are.
@@ -60,6 +71,11 @@ impl Parameters {
 
     /// The types of the one at a position.
     pub fn types(&self, position: u32) -> &TypeSet {
+        &self.types[position as usize]
+    }
+
+    /// The types of the one at a position, to be shared.
+    pub(super) fn shared_types(&self, position: u32) -> &Arc<TypeSet> {
         &self.types[position as usize]
     }
 

@@ -203,6 +203,16 @@ impl Types {
         self.numbers.get(name).copied()
     }
 
+    /// All of them, `object` first.
+    pub fn ids(&self) -> impl Iterator<Item = TypeId> + use<> {
+        (0..self.names.len() as u32).map(TypeId)
+    }
+
+    /// One type as a set.
+    pub fn alone(&self, id: TypeId) -> &TypeSet {
+        &self.single[id.index()]
+    }
+
     /// How many types there are.
     pub fn len(&self) -> usize {
         self.names.len()
@@ -232,7 +242,7 @@ impl Types {
     }
 
     /// What stands behind a dash: a type or `(either …)`.
-    fn resolve(&self, typed: &Typed<'_>) -> Result<Arc<TypeSet>, PddlError> {
+    pub(super) fn resolve(&self, typed: &Typed<'_>) -> Result<Arc<TypeSet>, PddlError> {
         let mut types = Vec::new();
         for place in typed.alternatives()? {
             let name = place.name("a type")?;
@@ -290,7 +300,7 @@ pub(super) fn some<'a>(names: impl Iterator<Item = &'a str>) -> String {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Typed<'t> {
     pub item: Expression<'t>,
-    kind: Option<Expression<'t>>,
+    pub kind: Option<Expression<'t>>,
 }
 
 impl<'t> Typed<'t> {

@@ -42,19 +42,16 @@ pub fn next_actions(
     let (_, mut states) = execute(task, plan, label)?;
     // There is always the initial state.
     let here = states.pop().unwrap_or_else(|| task.initial_state().clone());
-    let mut found = Vec::new();
+    let mut found: Vec<NextAction> = Vec::new();
     for (id, operator) in task.operator_ids() {
         if task.satisfies(here.words(), &operator.preconditions) {
             let mut words = here.words().to_vec();
             task.apply(id, &mut words);
             let goal = task.satisfies(&words, task.goal());
-            found.push(NextAction {
-                action: operator.action,
-                state: State::from_words(words),
-                goal,
-            });
+            let action = operator.action;
+            let place = found.partition_point(|known| known.action < action);
+            found.insert(place, NextAction { action, state: State::from_words(words), goal });
         }
     }
-    found.sort_by_key(|next| next.action);
     Ok(found)
 }

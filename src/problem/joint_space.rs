@@ -4,12 +4,11 @@
 //! profile that follows from a profile and the symbols of a step is remembered too, so that a
 //! transition met before costs one look-up, however many observers there are.
 
-use std::hash::{BuildHasher, BuildHasherDefault};
 use std::sync::Arc;
 
-use hashbrown::HashTable;
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::FxHashMap;
 
+use super::tuples::Tuples;
 use super::{Problem, SurvivorCounts};
 use crate::belief::{BeliefId, BeliefSpace, Memo};
 use crate::goal_difference::{GoalSet, Survivors};
@@ -35,42 +34,6 @@ pub struct Node {
     pub state: StateId,
     /// What the observers believe.
     pub profile: ProfileId,
-}
-
-/// Interned tuples of numbers, all of one width.
-#[derive(Debug, Clone)]
-struct Tuples {
-    width: usize,
-    items: Vec<u32>,
-    table: HashTable<u32>,
-    count: u32,
-}
-
-impl Tuples {
-    fn new(width: usize) -> Self {
-        Self { width, items: Vec::new(), table: HashTable::new(), count: 0 }
-    }
-
-    fn get(&self, id: u32) -> &[u32] {
-        &self.items[id as usize * self.width..][..self.width]
-    }
-
-    fn intern(&mut self, tuple: &[u32]) -> u32 {
-        let hash = |tuple: &[u32]| BuildHasherDefault::<FxHasher>::default().hash_one(tuple);
-        let (items, width) = (&self.items, self.width);
-        let at = |id: u32| &items[id as usize * width..][..width];
-        let entry = self.table.entry(hash(tuple), |&id| at(id) == tuple, |&id| hash(at(id)));
-        match entry {
-            hashbrown::hash_table::Entry::Occupied(known) => *known.get(),
-            hashbrown::hash_table::Entry::Vacant(vacant) => {
-                let id = self.count;
-                vacant.insert(id);
-                self.items.extend_from_slice(tuple);
-                self.count += 1;
-                id
-            }
-        }
-    }
 }
 
 /// Columns of the dense profile memory, at most; more combinations of symbols are numbered as they
@@ -153,15 +116,15 @@ impl JointSpace {
 
     /// How many profiles have been met.
     pub fn profile_count(&self) -> usize {
-        self.profiles.count as usize
+        self.profiles.len()
     }
 
     /// Bytes in use, counted by contents.
     pub fn bytes(&self) -> u64 {
-        let own = 4 * (self.profiles.items.len() + self.combinations.len())
-            + size_of::<Option<SurvivorCounts>>() * self.counts.len();
+        let own =
+            4 * self.combinations.len() + size_of::<Option<SurvivorCounts>>() * self.counts.len();
         let beliefs: u64 = self.beliefs.iter().map(BeliefSpace::bytes).sum();
-        self.states.bytes() + beliefs + own as u64 + self.memo.bytes()
+        self.states.bytes() + beliefs + own as u64 + self.profiles.bytes() + self.memo.bytes()
     }
 
     /// The initial state with the initial beliefs.
@@ -174,6 +137,13 @@ impl JointSpace {
             profile.push(beliefs.intern(members).0);
         }
         Node { state, profile: ProfileId(self.profiles.intern(&profile)) }
+    }
+
+    /// The profile with these beliefs, one for each observer.
+    pub fn profile(&mut self, beliefs: impl IntoIterator<Item = BeliefId>) -> ProfileId {
+        self.scratch.clear();
+        self.scratch.extend(beliefs.into_iter().map(|belief| belief.0));
+        ProfileId(self.profiles.intern(&self.scratch))
     }
 
     /// The belief of one observer in a profile.

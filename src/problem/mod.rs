@@ -5,6 +5,7 @@
 
 pub mod joint_space;
 mod naming;
+mod tuples;
 
 use std::sync::Arc;
 
@@ -12,6 +13,7 @@ use thiserror::Error;
 
 pub use joint_space::{JointSpace, Node, ProfileId};
 pub use naming::{Part, StateLabel, StateNaming, Value};
+pub(crate) use tuples::Tuples;
 
 use crate::goal_difference::{GoalSet, goal_difference};
 use crate::sensor::Sensor;

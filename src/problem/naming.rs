@@ -83,6 +83,12 @@ pub enum StateNaming {
     Names,
     /// All facts that hold.
     Facts,
+    /// Those of the first facts that hold; what follows says nothing new, such as that another
+    /// fact does not hold.
+    FirstFacts {
+        /// How many there are.
+        count: usize,
+    },
     /// The parts of a state by their names.
     Parts(Vec<Part>),
 }
@@ -94,6 +100,10 @@ impl StateNaming {
         let first = || task.layout().group_value(words, 0).saturating_sub(1);
         match self {
             Self::Facts => StateLabel::Facts(task.facts_of(words).into_iter().map(names).collect()),
+            Self::FirstFacts { count } => {
+                let shown = task.facts_of(words).into_iter().filter(|fact| fact.index() < *count);
+                StateLabel::Facts(shown.map(names).collect())
+            }
             Self::Names => StateLabel::Name(names(Fact::new(first()))),
             Self::Cells { width } => {
                 let cell = first() as u32;

@@ -6,6 +6,7 @@ use crate::domain::Document;
 use crate::domain::box_pushing::BoxState;
 use crate::domain::delivery::Factory;
 use crate::domain::grid::{Cell, GridGoal};
+use crate::domain::pddl::Outline;
 use crate::domain::recycling_robot::RobotState;
 use crate::problem::{Goal, Problem};
 
@@ -31,6 +32,9 @@ pub struct SceneGoal {
     /// Its cell, in a grid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<Cell>,
+    /// Its condition, in PDDL.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub condition: Option<String>,
 }
 
 /// An observer.
@@ -92,6 +96,8 @@ pub enum Setting {
     },
     /// States without places.
     Explicit,
+    /// Objects and predicates.
+    Pddl(Outline),
 }
 
 impl Scene {
@@ -101,11 +107,16 @@ impl Scene {
             Document::Gridworld(grid) => &grid.goals,
             Document::BoxPushing(pushing) => &pushing.goals,
             Document::RecyclingRobot(robot) => &robot.goals,
-            Document::Delivery(_) | Document::Explicit(_) => &[],
+            Document::Delivery(_) | Document::Explicit(_) | Document::Pddl(_) => &[],
+        };
+        let condition = |goal: usize| match document {
+            Document::Pddl(pddl) => pddl.goals.get(goal).map(|goal| goal.condition.clone()),
+            _ => None,
         };
         let goal = |(index, goal): (usize, &Goal)| SceneGoal {
             name: goal.name.clone(),
             cell: in_cells.get(index).map(|goal| goal.cell),
+            condition: condition(index),
         };
         let setting = match document {
             Document::Gridworld(grid) => Setting::Gridworld {
@@ -133,6 +144,8 @@ impl Scene {
                 deliver: delivery.deliver,
             },
             Document::Explicit(_) => Setting::Explicit,
+            // A document of which a problem was made can be read.
+            Document::Pddl(pddl) => pddl.outline().map_or(Setting::Explicit, Setting::Pddl),
         };
         Self {
             goals: problem.goals().iter().enumerate().map(goal).collect(),

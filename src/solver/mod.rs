@@ -30,4 +30,4 @@ pub use options::{
     Bounds, Encoding, Horizon, MAX_HORIZON, MAX_LENGTHS, Options, OptionsError, Solver, Watched,
 };
 pub use outcome::{LengthPoint, Outcome, ParetoPoint, Progress, Stats, Status};
-pub use run::{Run, SolveError, abandoned, solve};
+pub use run::{Run, SolveError, abandoned, shortest_plan_length, solve};

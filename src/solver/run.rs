@@ -353,8 +353,20 @@ pub fn solve(
     run.outcome()
 }
 
-/// The length of a shortest plan for the true goal, whatever anybody believes.
-fn shortest_plan_length(
+/// The length of a shortest plan for the true goal, whatever anybody believes; none where there is
+/// no plan at all.
+///
+/// # Errors
+///
+/// The memory limit.
+///
+/// ```
+/// use mo_copp::{domain::Delivery, solver::{shortest_plan_length, Options, Solver}};
+/// let problem = Delivery::figure_1().problem()?;
+/// assert_eq!(shortest_plan_length(&problem, &Options::new(Solver::Exact)), Ok(Some(3)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn shortest_plan_length(
     problem: &Problem,
     options: &Options,
 ) -> Result<Option<usize>, LimitReached> {

@@ -20,7 +20,7 @@ fn gridworld_documents() {
         (
             "\"gridworld\"",
             "\"chess\"",
-            "format: found \"chess\", expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+            "format: found \"chess\", expected gridworld, box-pushing, recycling-robot, delivery, explicit or pddl",
         ),
         (
             "\"stay\"",

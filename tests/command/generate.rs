@@ -17,6 +17,37 @@ fn the_same_seed_gives_the_same_document_and_it_can_be_solved() {
 }
 
 #[test]
+fn domains_in_pddl_are_drawn_and_solved() {
+    for domain in ["blocksworld", "logistics", "driverlog"] {
+        let first = mo_copp("", &["generate", domain, "--seed", "13"]);
+        assert_eq!(first.code, 0, "{}", first.err);
+        assert_eq!(first.out, mo_copp("", &["generate", domain, "--seed", "13"]).out);
+        let bounds = ["--k", "3", "--j", "3", "--json"];
+        let solve = [&["solve", "-", "--solver", "search"], &bounds[..]].concat();
+        assert_eq!(mo_copp(&first.out, &solve).json()["status"], "solved");
+    }
+    let ran =
+        mo_copp("", &["generate", "blocksworld", "--seed", "1", "--blocks", "4", "--goals", "3"]);
+    let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(json["goals"].as_array().unwrap().len(), 3);
+    assert!(json["problem"].to_string().contains("a b c d - block"));
+    let ran = mo_copp("", &["generate", "driverlog", "--seed", "1", "--packages", "3"]);
+    assert!(ran.out.contains("p1 p2 p3 - package"));
+    for (arguments, message) in [
+        (["blocksworld", "--blocks", "2"], "blocks: found 2, expected a whole number from 3 to 26"),
+        (["blocksworld", "--width", "2"], "width: found 2, expected nothing, since blocksworld"),
+        (["logistics", "--blocks", "4"], "blocks: found 4, expected nothing, since logistics"),
+        (["logistics", "--packages", "0"], "packages: found 0, expected a whole number from 1"),
+        (["driverlog", "--deliver", "1"], "deliver: found 1, expected nothing"),
+        (["gridworld", "--blocks", "4"], "blocks: found 4, expected nothing"),
+    ] {
+        let ran = mo_copp("", &[&["generate"], &arguments[..], &["--seed", "1"]].concat());
+        assert_eq!(ran.code, 2, "{arguments:?}");
+        assert!(ran.err.contains(message), "{arguments:?}: {}", ran.err);
+    }
+}
+
+#[test]
 fn sizes_are_heeded_and_bad_ones_refused() {
     let sizes = ["--width", "5", "--height", "4", "--goals", "2", "--walls", "3", "--belief", "2"];
     let ran = mo_copp("", &[&["generate", "gridworld", "--seed", "1"][..], &sizes].concat());

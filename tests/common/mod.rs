@@ -1,6 +1,7 @@
 //! What the tests share: problems as plain tables, oracles that follow the definitions and share
 //! nothing with the crate, and generators.
 
+pub mod atoms;
 pub mod check;
 pub mod delivery;
 pub mod dice;

@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use super::delivery::DELIVERY;
 use super::explicit::EXPLICIT;
 use super::gridworld::GRIDWORLD;
+use super::pddl;
 
 fn runner(seed: u64, cases: u32) -> TestRunner {
     let rng_seed = RngSeed::Fixed(seed);
@@ -42,7 +43,7 @@ fn survives(text: &str) -> bool {
 }
 
 fn base() -> impl Strategy<Value = &'static str> {
-    prop::sample::select(vec![GRIDWORLD, EXPLICIT, DELIVERY])
+    prop::sample::select(vec![GRIDWORLD, EXPLICIT, DELIVERY, pddl::example()])
 }
 
 #[test]
@@ -67,6 +68,7 @@ fn random_pieces_of_documents() {
         "\"format\"",
         "\"gridworld\"",
         "\"explicit\"",
+        "\"pddl\"",
         "\"goals\"",
         "1",
         "-1",
@@ -133,7 +135,26 @@ fn documents_with_changed_values() {
     let other = prop_oneof![
         (-3_i64..12).prop_map(|number| json!(number)),
         prop::sample::select(vec![
-            "s0", "s1", "s2", "a", "b", "G1", "G2", "a1", "b2", "a1+b2", "A", ""
+            "s0",
+            "s1",
+            "s2",
+            "a",
+            "b",
+            "G1",
+            "G2",
+            "a1",
+            "b2",
+            "a1+b2",
+            "A",
+            "",
+            "red",
+            "hall",
+            "(at hall)",
+            "(not (has red))",
+            "(take ?x ?y)",
+            "*",
+            "{name} {2}",
+            "{?x}"
         ])
         .prop_map(|text| json!(text)),
         ((0..9_u8), (0..9_u8)).prop_map(|(column, row)| json!([column, row])),
@@ -148,6 +169,9 @@ fn documents_with_changed_values() {
             json!([[0, 7], [1, 1]]),
             json!(["s0", "s1"]),
             json!(["s0", "a", "s1"]),
+            json!([["(at hall)", "(has red)"], {}]),
+            json!([{"operator": "*", "symbol": "{arguments}"}]),
+            json!({"reachable": "(and)"}),
         ]),
     ];
     let strategy = (base(), prop::collection::vec((any::<prop::sample::Index>(), other), 1..3));
@@ -161,6 +185,83 @@ fn documents_with_changed_values() {
                 let place = &all[place.index(all.len())];
                 *document.pointer_mut(place).unwrap() = other;
             }
+            made.set(made.get() + usize::from(survives(&document.to_string())));
+            Ok(())
+        })
+        .unwrap();
+    assert!(made.get() > 400, "{}", made.get());
+}
+
+/// The texts inside of a PDDL document put together of pieces that belong there.
+#[test]
+fn pddl_documents_with_changed_texts() {
+    let piece = prop::sample::select(vec![
+        "(",
+        ")",
+        " ",
+        "and",
+        "not",
+        "=",
+        "at",
+        "in",
+        "has",
+        "door",
+        "hall",
+        "red",
+        "blue",
+        "office",
+        "?x",
+        "?y",
+        "?to",
+        "- room",
+        "- envelope",
+        "- (either room letter)",
+        "walk",
+        "take",
+        "leave",
+        "*",
+        "{",
+        "}",
+        "{name}",
+        "{1}",
+        "{2}",
+        "{?x}",
+        "{arguments}",
+        "(at hall)",
+        "(in red office)",
+        "(walk ?x ?y)",
+        "(take ?x ?y)",
+        "(at ?x)",
+        "\n",
+        ";",
+        ":goal",
+        "é",
+    ]);
+    let text = prop::collection::vec(piece, 1..8).prop_map(|pieces| pieces.concat());
+    let spaced = prop::collection::vec(text, 1..4).prop_map(|texts| texts.join(" "));
+    let places = [
+        "/domain/3",
+        "/domain/7",
+        "/domain/8",
+        "/problem/2",
+        "/problem/3",
+        "/goals/0/condition",
+        "/goals/2/condition",
+        "/observers/adversarial/initial_belief/reachable",
+        "/observers/adversarial/sensor/0/operator",
+        "/observers/adversarial/sensor/0/result",
+        "/observers/adversarial/sensor/2/operator",
+        "/observers/adversarial/sensor/2/symbol",
+        "/observers/cooperative/initial_belief/1/add/0",
+        "/observers/cooperative/initial_belief/1/delete/0",
+        "/observers/cooperative/sensor",
+    ];
+    let strategy = (prop::sample::select(places.to_vec()), spaced);
+    let made = std::cell::Cell::new(0);
+    runner(5, 25_000)
+        .run(&strategy, |(place, text)| {
+            let mut document: Value = serde_json::from_str(pddl::example()).unwrap();
+            *document.pointer_mut(place).unwrap() = json!(text);
             made.set(made.get() + usize::from(survives(&document.to_string())));
             Ok(())
         })

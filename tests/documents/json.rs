@@ -31,23 +31,23 @@ fn texts_that_are_no_documents() {
         ("null", "document: found null, expected an object"),
         (
             "{}",
-            "format: found nothing, expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+            "format: found nothing, expected gridworld, box-pushing, recycling-robot, delivery, explicit or pddl",
         ),
         (
             "{\"format\": 3}",
-            "format: found 3, expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+            "format: found 3, expected gridworld, box-pushing, recycling-robot, delivery, explicit or pddl",
         ),
         (
             "{\"format\": null}",
-            "format: found null, expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+            "format: found null, expected gridworld, box-pushing, recycling-robot, delivery, explicit or pddl",
         ),
         (
             "{\"format\": \"chess\"}",
-            "format: found \"chess\", expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+            "format: found \"chess\", expected gridworld, box-pushing, recycling-robot, delivery, explicit or pddl",
         ),
         (
             "{\"Format\": \"gridworld\"}",
-            "format: found nothing, expected gridworld, box-pushing, recycling-robot, delivery or explicit",
+            "format: found nothing, expected gridworld, box-pushing, recycling-robot, delivery, explicit or pddl",
         ),
     ];
     let mut wrong = Vec::new();

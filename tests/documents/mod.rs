@@ -5,6 +5,7 @@ mod explicit;
 mod fuzz;
 mod gridworld;
 mod json;
+pub mod pddl;
 mod round_trip;
 
 pub use delivery::DELIVERY;

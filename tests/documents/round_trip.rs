@@ -3,11 +3,13 @@
 use mo_copp::domain::delivery::DeliveryShape;
 use mo_copp::domain::generate::Domain;
 use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::domain::pddl::generate::{BlocksworldShape, DriverlogShape, LogisticsShape};
 use mo_copp::domain::{Delivery, Document};
 
 use super::delivery::DELIVERY;
 use super::explicit::EXPLICIT;
 use super::gridworld::GRIDWORLD;
+use super::pddl;
 use crate::common::random::{self, MEDIUM, PAIR};
 use crate::common::{Dice, delivery, gridworld};
 
@@ -21,7 +23,7 @@ fn returns(document: &Document) {
 #[test]
 fn every_kind_of_document_returns() {
     let mut dice = Dice::new(60);
-    for text in [GRIDWORLD, EXPLICIT, DELIVERY] {
+    for text in [GRIDWORLD, EXPLICIT, DELIVERY, pddl::example()] {
         returns(&Document::parse(text).unwrap());
     }
     assert_eq!(Document::parse(DELIVERY).unwrap(), Document::Delivery(Delivery::figure_1()));
@@ -85,6 +87,34 @@ fn shapes_that_make_no_sense() {
 }
 
 #[test]
+fn shapes_of_domains_in_pddl_that_make_no_sense() {
+    let blocks = BlocksworldShape::default();
+    let error = |shape: BlocksworldShape| shape.generate(1).unwrap_err().to_string();
+    let found = error(BlocksworldShape { blocks: 2, ..blocks });
+    assert_eq!(found, "blocks: found 2, expected a whole number from 3 to 26");
+    let found = error(BlocksworldShape { blocks: 3, goals: 6 });
+    assert_eq!(found, "goals: found 6, expected a whole number from 2 to 5");
+    let cities = LogisticsShape::default();
+    let error = |shape: LogisticsShape| shape.generate(1).unwrap_err().to_string();
+    let found = error(LogisticsShape { facts: 7, ..cities });
+    assert_eq!(found, "facts: found 7, expected a whole number from 1 to 6");
+    let found = error(LogisticsShape { packages: 2, facts: 1, goals: 7, ..cities });
+    assert_eq!(found, "goals: found 7, expected a whole number from 2 to 6");
+    let drivers = DriverlogShape::default();
+    let error = |shape: DriverlogShape| shape.generate(1).unwrap_err().to_string();
+    let found = error(DriverlogShape { places: 1, ..drivers });
+    assert_eq!(found, "places: found 1, expected a whole number from 2 to 64");
+    let found = error(DriverlogShape { drivers: 0, ..drivers });
+    assert_eq!(found, "drivers: found 0, expected a whole number from 1 to 64");
+    // As many goals as there are at all can be drawn, and the largest sizes.
+    let all = LogisticsShape { cities: 1, packages: 2, facts: 1, goals: 2, ..cities };
+    assert!(all.generate(3).is_ok());
+    assert!(BlocksworldShape { blocks: 3, goals: 5 }.generate(3).is_ok());
+    assert!(DriverlogShape { places: 2, goals: 6, ..drivers }.generate(3).is_ok());
+    assert!(BlocksworldShape { blocks: 26, goals: 100 }.generate(3).is_ok());
+}
+
+#[test]
 fn every_domain_is_drawn_by_its_name() {
     for domain in Domain::ALL {
         assert_eq!(Domain::named(domain.name()), Some(domain));
@@ -95,7 +125,9 @@ fn every_domain_is_drawn_by_its_name() {
             different += usize::from(drawn.document != domain.draw(seed + 1).unwrap().document);
             returns(&drawn.document);
             let json: serde_json::Value = serde_json::from_str(&drawn.document.to_json()).unwrap();
-            assert_eq!(json["format"], domain.name());
+            let pddl = [Domain::Blocksworld, Domain::Logistics, Domain::Driverlog];
+            let format = if pddl.contains(&domain) { "pddl" } else { domain.name() };
+            assert_eq!(json["format"], format);
         }
         assert!(different > 15, "{} {different}", domain.name());
     }

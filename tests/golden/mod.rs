@@ -8,7 +8,7 @@ pub mod replay;
 
 use serde_json::{Value, json};
 
-use crate::documents::{DELIVERY, EXPLICIT, GRIDWORLD};
+use crate::documents::{DELIVERY, EXPLICIT, GRIDWORLD, pddl};
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/plans.json");
 
@@ -70,6 +70,25 @@ fn cases() -> Vec<Value> {
         let name = format!("{format} {seed}");
         let options = options(horizon, paper);
         cases.push(replay::case(&name, Some((format, seed)), &document, &options));
+    }
+    cases.push(replay::case("the example in PDDL", None, pddl::example(), &options(5, true)));
+    for (format, seed, horizon) in [("small blocksworld", 1, 6), ("small driverlog", 2, 7)] {
+        let document = replay::draw(format, seed).to_json();
+        let name = format!("{format} {seed}");
+        let options = options(horizon, false);
+        cases.push(replay::case(&name, Some((format, seed)), &document, &options));
+    }
+    let larger = [
+        json!({"solver": "search", "k": 3, "j": 3}),
+        json!({"solver": "search", "k": 4, "j": 1}),
+        json!({"solver": "obfuscate", "k": 3}),
+        json!({"solver": "legible", "j": 3}),
+        json!({"solver": "baseline"}),
+    ];
+    for (format, seed) in [("blocksworld", 9), ("logistics", 13), ("driverlog", 10)] {
+        let document = replay::draw(format, seed).to_json();
+        let name = format!("{format} {seed}");
+        cases.push(replay::case(&name, Some((format, seed)), &document, &larger));
     }
     cases
 }

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use mo_copp::domain::delivery::DeliveryShape;
+use mo_copp::domain::generate::Domain;
 use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::domain::pddl::generate::{BlocksworldShape, DriverlogShape};
 use mo_copp::domain::{Delivery, Document, Gridworld};
 use mo_copp::report::{SolveReport, read_options};
 use mo_copp::solver::Run;
@@ -25,6 +27,16 @@ pub fn draw(format: &str, seed: u64) -> Document {
             grid(shape.generate(seed).unwrap().document)
         }
         "delivery" => delivery(DeliveryShape::default().generate(seed).unwrap().document),
+        "small blocksworld" => {
+            BlocksworldShape { blocks: 3, goals: 3 }.generate(seed).unwrap().document.into()
+        }
+        "small driverlog" => {
+            let shape = DriverlogShape { places: 3, drivers: 1, trucks: 1, packages: 1, goals: 4 };
+            shape.generate(seed).unwrap().document.into()
+        }
+        "blocksworld" | "logistics" | "driverlog" => {
+            Domain::named(format).unwrap().draw(seed).unwrap().document
+        }
         _ => panic!("{format}"),
     }
 }

@@ -13,7 +13,7 @@ fn the_readme_begins_with_the_two_commands() {
 #[test]
 fn every_option_of_the_command_is_in_the_readme_or_its_help() {
     let readme = read("README.md");
-    for command in ["solve", "trace", "encode", "generate"] {
+    for command in ["solve", "trace", "encode", "generate", "experiment"] {
         assert!(readme.contains(&format!("mo-copp {command}")), "no word of {command}");
     }
     for solver in mo_copp::solver::Solver::ALL {

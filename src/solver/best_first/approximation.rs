@@ -91,6 +91,17 @@ impl Approximations {
         self.bytes
     }
 
+    /// Closes the one combination that a node has in the first round, for which its beliefs need not
+    /// be known; false when it is closed.
+    pub(super) fn close_state(&mut self, state: StateId, observers: usize, steps: u32) -> bool {
+        let mut key = vec![0; 2 + observers];
+        key[..2].copy_from_slice(&[state.0, steps]);
+        let bytes = 4 * key.len() as u64 + 24;
+        let new = self.closed.insert(key.into_boxed_slice());
+        self.bytes += if new { bytes } else { 0 };
+        new
+    }
+
     /// Closes the first combination that is open for a node; false when there is none.
     pub(super) fn close(&mut self, joint: &JointSpace, node: Node, steps: u32) -> bool {
         let observers = joint.problem().observers().len();

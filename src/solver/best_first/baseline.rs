@@ -49,9 +49,9 @@ impl SearchSpace for States {
         (self.space.intern(self.task.initial_state()), 0)
     }
 
-    fn is_goal(&mut self, (state, steps): Self::Key) -> bool {
-        self.horizon.is_none_or(|horizon| horizon == steps as usize)
-            && self.task.satisfies(self.space.words(state), self.task.goal())
+    fn is_goal(&mut self, (state, steps): Self::Key) -> Result<bool, LimitReached> {
+        Ok(self.horizon.is_none_or(|horizon| horizon == steps as usize)
+            && self.task.satisfies(self.space.words(state), self.task.goal()))
     }
 
     fn value(&mut self, (state, _): Self::Key) -> Option<i64> {

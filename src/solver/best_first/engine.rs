@@ -17,6 +17,8 @@ pub(super) enum Admission {
     Expand,
     /// It waits for the next round.
     Defer,
+    /// It is left out, since it is one that was expanded before.
+    Drop,
 }
 
 /// What is searched.
@@ -28,7 +30,7 @@ pub(super) trait SearchSpace: Send {
     fn root(&mut self) -> Self::Key;
 
     /// Whether a plan may end here.
-    fn is_goal(&mut self, key: Self::Key) -> bool;
+    fn is_goal(&mut self, key: Self::Key) -> Result<bool, LimitReached>;
 
     /// The heuristic value of a node; none for a dead end.
     fn value(&mut self, key: Self::Key) -> Option<i64>;
@@ -41,8 +43,8 @@ pub(super) trait SearchSpace: Send {
     ) -> Result<(), LimitReached>;
 
     /// Whether a node is expanded in this round. A space that never defers has one round.
-    fn admit(&mut self, _key: Self::Key) -> Admission {
-        Admission::Expand
+    fn admit(&mut self, _key: Self::Key) -> Result<Admission, LimitReached> {
+        Ok(Admission::Expand)
     }
 
     /// All nodes of this round are done and some wait.
@@ -102,6 +104,8 @@ pub(super) struct BestFirst<S: SearchSpace> {
     open: Open,
     deferred: Open,
     expansions: u64,
+    /// Whether the root is open.
+    begun: bool,
     /// The least value of a node expanded, and how many expansions there were before it.
     least: (i64, u64),
     /// The node that ends a plan.
@@ -112,29 +116,29 @@ pub(super) struct BestFirst<S: SearchSpace> {
 impl<S: SearchSpace> BestFirst<S> {
     pub(super) fn new(mut space: S) -> Self {
         let root = space.root();
-        let mut search = Self {
+        Self {
             space,
             tree: SearchTree::new(root),
             open: Open::default(),
             deferred: Open::default(),
             expansions: 0,
             least: (i64::MAX, 0),
+            begun: false,
             end: None,
             found: Vec::new(),
-        };
-        search.push(0);
-        search
+        }
     }
 
     /// Opens a node that is new, unless it is a dead end. The goal is tested here and not when the
     /// node's turn comes: a plan found is a plan.
-    fn push(&mut self, index: usize) {
+    fn push(&mut self, index: usize) -> Result<(), LimitReached> {
         let key = self.tree.key(index);
-        if self.space.is_goal(key) {
+        if self.space.is_goal(key)? {
             self.end = Some(index);
         } else if let Some(value) = self.space.value(key) {
             self.open.push(value, index as u32);
         }
+        Ok(())
     }
 
     fn check_limits(&self) -> Result<(), LimitReached> {
@@ -157,7 +161,7 @@ impl<S: SearchSpace> BestFirst<S> {
         if expanded.is_ok() {
             for &(action, key) in &found {
                 if let Some(new) = self.tree.meet(key, index, action) {
-                    self.push(new);
+                    self.push(new)?;
                     if self.end.is_some() {
                         break;
                     }
@@ -175,6 +179,10 @@ impl<S: SearchSpace> BestFirst<S> {
 
 impl<S: SearchSpace> Engine for BestFirst<S> {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
+        if !self.begun {
+            self.begun = true;
+            self.push(0)?;
+        }
         for _ in 0..budget {
             if let Some(plan) = self.plan() {
                 return Ok(Advance::Finished(Finding::plan(Status::Solved, plan)));
@@ -189,7 +197,7 @@ impl<S: SearchSpace> Engine for BestFirst<S> {
                 std::mem::swap(&mut self.open, &mut self.deferred);
                 continue;
             };
-            match self.space.admit(self.tree.key(index as usize)) {
+            match self.space.admit(self.tree.key(index as usize))? {
                 Admission::Expand => {
                     if value < self.least.0 {
                         self.least = (value, self.expansions);
@@ -197,6 +205,7 @@ impl<S: SearchSpace> Engine for BestFirst<S> {
                     self.expand(index as usize)?;
                 }
                 Admission::Defer => self.deferred.push(value, index),
+                Admission::Drop => {}
             }
         }
         Ok(Advance::Working)

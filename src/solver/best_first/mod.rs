@@ -6,9 +6,11 @@
 //! - [`baseline`] searches states for the true goal alone,
 //! - [`search`] searches states with beliefs for a plan that keeps the bounds (Algorithm 1), also
 //!   with one of the bounds alone (obfuscate, legible),
+//! - [`sketches`] is as much of the beliefs as the search has to see,
 //! - [`approximation`] picks the approximate beliefs by which Algorithm 1 tells nodes apart.
 
 pub mod approximation;
 pub mod baseline;
 pub mod engine;
 pub mod search;
+pub mod sketches;

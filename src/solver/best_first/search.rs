@@ -1,6 +1,7 @@
 //! Heuristic search for a plan that keeps the bounds: Algorithm 1 of the paper, complete.
 //!
-//! A node is the actor's state with the full beliefs. What is closed is the state with a pair of
+//! A node is the actor's state with the beliefs, of which it carries
+//! [sketches](super::sketches) until the full ones are needed. What is closed is the state with a pair of
 //! *approximate* beliefs of at most Δ states each, so that a round explores each state in as many
 //! ways as there are such pairs; nodes for which no pair is left wait for the next round, with
 //! Δ + 1. When Δ reaches the largest belief met, the pair is the full beliefs and the search has
@@ -9,6 +10,12 @@
 //! The printed algorithm closes the pair of beliefs alone. Two nodes whose beliefs agree and whose
 //! states differ are then confused and plans are lost, so the key here holds the state as well.
 //!
+//! The first round needs no full belief, since a subset of one state is the true state: it expands
+//! each state once, and works full beliefs out where a state satisfies the true goal and the
+//! sketches do not settle the bounds. From the second round on a node that waited is looked at with
+//! its full beliefs: it is left out where the same state with the same beliefs was expanded, by
+//! another way to them.
+//!
 //! The value of a node is `h_GA(s) + h_{k−1}(B^X) − h_{n−j}(B^C)`: how far the true goal is from
 //! the state, plus how far the k − 1 other goals nearest to the enemy's belief are, minus how far
 //! the n − j other goals farthest from the friend's belief are (those are the ones to be ruled
@@ -16,29 +23,47 @@
 
 use std::sync::Arc;
 
+use rustc_hash::FxHashSet;
+
 use super::approximation::Approximations;
 use super::engine::{Admission, BestFirst, SearchSpace};
+use super::sketches::{SketchId, Sketches};
+use crate::goal_difference::GoalSet;
 use crate::heuristic::{GoalValues, UNREACHABLE};
 use crate::limits::{LimitReached, Limits};
-use crate::problem::{JointSpace, Node, Problem, Role};
+use crate::problem::{JointSpace, Node, Problem, Role, Tuples};
 use crate::solver::engine::Engine;
 use crate::solver::outcome::Stats;
 use crate::solver::{Bounds, Options};
-use crate::task::Action;
+use crate::task::{Action, StateId};
 
 /// What a goal that cannot be reached any more counts as in a sum of values: more than goals in
 /// problems of the paper's size are away, so that ruling one out for good is worth the way.
 const UNREACHABLE_VALUE: i64 = 64;
 
-/// States with beliefs, and how many actions led to them where that matters.
+/// The actor's state, the number of the sketches of all observers, and the number of actions before
+/// (0 where there is no horizon).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) struct Key {
+    state: StateId,
+    sketches: u32,
+    steps: u32,
+}
+
+/// States with beliefs.
 #[derive(Debug)]
 struct Beliefs {
     joint: JointSpace,
     values: GoalValues,
+    sketches: Vec<Sketches>,
+    /// One sketch for each observer.
+    combinations: Tuples,
     approximations: Approximations,
+    /// What was expanded with full beliefs known.
+    expanded: FxHashSet<(Node, u32)>,
     bounds: Bounds,
     horizon: Option<usize>,
-    scratch: Vec<(Action, Node)>,
+    scratch: Vec<u32>,
 }
 
 /// The search on a problem, for plans of any length or of exactly `horizon` actions.
@@ -48,9 +73,13 @@ pub(in crate::solver) fn engine(
     horizon: Option<usize>,
 ) -> impl Engine + use<> {
     let joint = JointSpace::new(problem, options.limits);
+    let observers = joint.problem().observers().len();
     BestFirst::new(Beliefs {
         values: GoalValues::new(&joint),
+        sketches: (0..observers).map(|observer| Sketches::new(&joint, observer)).collect(),
+        combinations: Tuples::new(observers),
         approximations: Approximations::new(),
+        expanded: FxHashSet::default(),
         bounds: options.heeded_bounds(),
         horizon,
         scratch: Vec::new(),
@@ -59,8 +88,12 @@ pub(in crate::solver) fn engine(
 }
 
 impl Beliefs {
+    fn sketch(&self, key: Key, observer: usize) -> SketchId {
+        SketchId(self.combinations.get(key.sketches)[observer])
+    }
+
     /// How far the goals are that the bounds ask for; none when they cannot be kept any more.
-    fn value_of_bounds(&mut self, node: Node) -> Option<i64> {
+    fn value_of_bounds(&mut self, key: Key) -> Option<i64> {
         let problem = Arc::clone(self.joint.problem());
         let goals = problem.goals().len();
         let mut value = 0;
@@ -72,9 +105,9 @@ impl Beliefs {
             if wanted == 0 {
                 continue;
             }
-            let belief = self.joint.belief(node.profile, index);
-            let in_full = GoalValues::is_evaluated_in_full(&self.joint, index, belief);
-            let values = self.values.of_belief(&mut self.joint, index, belief);
+            let sketch = self.sketch(key, index);
+            let whole = self.sketches[index].whole(&self.joint, sketch).is_some();
+            let values = self.sketches[index].values(&mut self.joint, &mut self.values, sketch);
             let others = (0..goals).filter(|&goal| goal != problem.true_goal());
             let mut values: Vec<i64> = others
                 .map(|goal| match values[goal] {
@@ -85,7 +118,7 @@ impl Beliefs {
             values.sort_unstable();
             match observer.role {
                 Role::Adversarial => {
-                    if in_full && values[wanted - 1] == UNREACHABLE_VALUE {
+                    if whole && values[wanted - 1] == UNREACHABLE_VALUE {
                         return None;
                     }
                     value += values[..wanted].iter().sum::<i64>();
@@ -95,58 +128,135 @@ impl Beliefs {
         }
         Some(value)
     }
+
+    /// Whether the bounds are kept. What a sketch settles is settled without the full belief, and a
+    /// friend's, which is mostly smaller, is worked out before an enemy's.
+    fn keeps_bounds(&mut self, key: Key) -> Result<bool, LimitReached> {
+        let problem = Arc::clone(self.joint.problem());
+        let goals = problem.goals().len();
+        let mut unsettled = Vec::new();
+        for (index, observer) in problem.observers().iter().enumerate() {
+            let sketch = self.sketch(key, index);
+            let surely = self.sketches[index].survivors(&mut self.joint, &mut self.values, sketch);
+            if self.breaks_an_upper_bound(index, observer.role, &surely) {
+                return Ok(false);
+            }
+            let upper = self.bounds.forbidden.iter().any(|watched| watched.observer == index)
+                || observer.role == Role::Cooperative
+                    && self.bounds.at_most.is_some_and(|j| j < goals);
+            let missing = self
+                .bounds
+                .required
+                .iter()
+                .any(|w| w.observer == index && !surely.contains(w.goal))
+                || observer.role == Role::Adversarial
+                    && self.bounds.at_least.is_some_and(|k| surely.len() < k);
+            if upper || missing {
+                unsettled.push((observer.role == Role::Adversarial, index));
+            }
+        }
+        unsettled.sort_unstable();
+        for (_, index) in unsettled {
+            let sketch = self.sketch(key, index);
+            let belief = self.sketches[index].belief(&mut self.joint, sketch)?;
+            let survivors = self.joint.survivors(index, belief).clone();
+            let role = problem.observers()[index].role;
+            let enough = role != Role::Adversarial
+                || self.bounds.at_least.is_none_or(|k| survivors.len() >= k);
+            let required = self.bounds.required.iter().filter(|w| w.observer == index);
+            let all = required.map(|w| w.goal).all(|goal| survivors.contains(goal));
+            if !enough || !all || self.breaks_an_upper_bound(index, role, &survivors) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Whether too many goals survive, or one that must not.
+    fn breaks_an_upper_bound(&self, observer: usize, role: Role, survivors: &GoalSet) -> bool {
+        let forbidden = self.bounds.forbidden.iter().filter(|w| w.observer == observer);
+        role == Role::Cooperative && self.bounds.at_most.is_some_and(|j| survivors.len() > j)
+            || forbidden.map(|w| w.goal).any(|goal| survivors.contains(goal))
+    }
 }
 
 impl SearchSpace for Beliefs {
-    /// The node, and the number of actions before it (0 where there is no horizon).
-    type Key = (Node, u32);
+    type Key = Key;
 
-    fn root(&mut self) -> Self::Key {
-        (self.joint.initial(), 0)
-    }
-
-    fn is_goal(&mut self, (node, steps): Self::Key) -> bool {
-        if self.horizon.is_some_and(|horizon| horizon != steps as usize)
-            || !self.joint.is_goal(node.state)
-        {
-            return false;
+    fn root(&mut self) -> Key {
+        let Node { state, profile } = self.joint.initial();
+        self.scratch.clear();
+        for (index, sketches) in self.sketches.iter_mut().enumerate() {
+            let belief = self.joint.belief(profile, index);
+            self.scratch.push(sketches.of_belief(&self.joint, &mut self.values, belief).0);
         }
-        let counts = self.joint.counts(node.profile);
-        let sets = self.joint.survivor_sets(node.profile);
-        self.bounds.allow(counts, &sets)
+        Key { state, sketches: self.combinations.intern(&self.scratch), steps: 0 }
     }
 
-    fn value(&mut self, (node, _): Self::Key) -> Option<i64> {
+    fn is_goal(&mut self, key: Key) -> Result<bool, LimitReached> {
+        if self.horizon.is_some_and(|horizon| horizon != key.steps as usize)
+            || !self.joint.is_goal(key.state)
+        {
+            return Ok(false);
+        }
+        self.keeps_bounds(key)
+    }
+
+    fn value(&mut self, key: Key) -> Option<i64> {
         let goal = self.joint.problem().true_goal();
-        let to_goal = self.values.of_state(&self.joint, node.state)[goal];
+        let to_goal = self.values.of_state(&self.joint, key.state)[goal];
         if to_goal == UNREACHABLE {
             return None;
         }
-        Some(i64::from(to_goal) + self.value_of_bounds(node)?)
+        Some(i64::from(to_goal) + self.value_of_bounds(key)?)
     }
 
-    fn expand(
-        &mut self,
-        (node, steps): Self::Key,
-        found: &mut Vec<(Action, Self::Key)>,
-    ) -> Result<(), LimitReached> {
+    fn expand(&mut self, key: Key, found: &mut Vec<(Action, Key)>) -> Result<(), LimitReached> {
         found.clear();
         let steps = match self.horizon {
             None => 0,
-            Some(horizon) if steps as usize == horizon => return Ok(()),
-            Some(_) => steps + 1,
+            Some(horizon) if key.steps as usize == horizon => return Ok(()),
+            Some(_) => key.steps + 1,
         };
-        self.joint.expand(node, |_| true, &mut self.scratch)?;
-        found.extend(self.scratch.iter().map(|&(action, node)| (action, (node, steps))));
+        self.joint.states_mut().expand(key.state);
+        for edge in self.joint.states().edge_range(key.state) {
+            let taken = self.joint.states().all_edges()[edge];
+            self.scratch.clear();
+            for (index, sketches) in self.sketches.iter_mut().enumerate() {
+                let before = SketchId(self.combinations.get(key.sketches)[index]);
+                let symbol = self.joint.symbol(index, edge);
+                let (joint, values) = (&mut self.joint, &mut self.values);
+                let next = sketches.follow(joint, values, before, symbol, taken.target)?;
+                self.scratch.push(next.0);
+            }
+            let sketches = self.combinations.intern(&self.scratch);
+            found.push((taken.action, Key { state: taken.target, sketches, steps }));
+        }
         Ok(())
     }
 
-    fn admit(&mut self, (node, steps): Self::Key) -> Admission {
-        if self.approximations.close(&self.joint, node, steps) {
-            Admission::Expand
-        } else {
-            Admission::Defer
+    fn admit(&mut self, key: Key) -> Result<Admission, LimitReached> {
+        let observers = self.sketches.len();
+        let whole = (0..observers)
+            .all(|i| self.sketches[i].whole(&self.joint, self.sketch(key, i)).is_some());
+        if self.approximations.size() == 1 && !whole {
+            let new = self.approximations.close_state(key.state, observers, key.steps);
+            return Ok(if new { Admission::Expand } else { Admission::Defer });
         }
+        let mut beliefs = Vec::with_capacity(observers);
+        for index in 0..observers {
+            let sketch = self.sketch(key, index);
+            beliefs.push(self.sketches[index].belief(&mut self.joint, sketch)?);
+        }
+        let node = Node { state: key.state, profile: self.joint.profile(beliefs) };
+        if self.expanded.contains(&(node, key.steps)) {
+            return Ok(Admission::Drop);
+        }
+        if !self.approximations.close(&self.joint, node, key.steps) {
+            return Ok(Admission::Defer);
+        }
+        self.expanded.insert((node, key.steps));
+        Ok(Admission::Expand)
     }
 
     fn next_round(&mut self) {
@@ -158,7 +268,10 @@ impl SearchSpace for Beliefs {
     }
 
     fn bytes(&self) -> u64 {
-        self.joint.bytes() + self.values.bytes() + self.approximations.bytes()
+        let sketches: u64 = self.sketches.iter().map(Sketches::bytes).sum();
+        let expanded = (size_of::<(Node, u32)>() + 1) * self.expanded.len();
+        let beliefs = self.joint.bytes() + self.values.bytes() + self.combinations.bytes();
+        beliefs + sketches + expanded as u64 + self.approximations.bytes()
     }
 
     fn count(&self, stats: &mut Stats) {

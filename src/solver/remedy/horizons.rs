@@ -6,9 +6,9 @@ use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem};
 use crate::solver::engine::{Advance, Engine};
+use crate::solver::exact;
 use crate::solver::exact::ends::Ends;
 use crate::solver::exact::layered::LayeredGraph;
-use crate::solver::exact::layers::Layers;
 use crate::solver::live::Live;
 use crate::solver::{MAX_HORIZON, Options};
 
@@ -18,7 +18,6 @@ use crate::solver::{MAX_HORIZON, Options};
 const TRIED_ALONE: usize = 3;
 
 /// A search at horizons around the one asked for.
-#[derive(Debug)]
 pub(super) struct Horizons {
     problem: Arc<Problem>,
     options: Options,
@@ -28,7 +27,7 @@ pub(super) struct Horizons {
     longer: bool,
     /// Horizons to try alone, the last first.
     tries: Vec<usize>,
-    trying: Option<(usize, Layers)>,
+    trying: Option<(usize, Box<dyn Engine>)>,
     all: Option<All>,
     expansions: u64,
     /// Plans at other horizons, at most one on either side.
@@ -36,7 +35,6 @@ pub(super) struct Horizons {
 }
 
 /// All horizons from 0 on.
-#[derive(Debug)]
 struct All {
     joint: JointSpace,
     live: Live,
@@ -57,8 +55,12 @@ impl Horizons {
         let from = shortest.max(asked + 1);
         let longer = (from..=MAX_HORIZON).take(TRIED_ALONE);
         let shorter = (shortest..asked).rev().take(TRIED_ALONE);
-        let mut tries: Vec<usize> = longer.chain(shorter).collect();
-        tries.sort_by_key(|horizon| std::cmp::Reverse(horizon.abs_diff(asked)));
+        let mut tries: Vec<usize> = Vec::new();
+        for horizon in longer.chain(shorter) {
+            let by = |horizon: usize| horizon.abs_diff(asked);
+            let place = tries.partition_point(|&known| by(known) > by(horizon));
+            tries.insert(place, horizon);
+        }
         Self {
             problem,
             options,
@@ -99,7 +101,8 @@ impl Horizons {
             while let Some(horizon) = self.tries.pop() {
                 if if horizon < self.asked { self.shorter } else { self.longer } {
                     let (problem, options) = (Arc::clone(&self.problem), self.rest());
-                    self.trying = Some((horizon, Layers::new(problem, &options, horizon)));
+                    let engine = exact::engine(problem, &options, Some(horizon));
+                    self.trying = Some((horizon, engine));
                     return Ok(false);
                 }
             }
@@ -118,7 +121,7 @@ impl Horizons {
     fn attempt(
         &mut self,
         horizon: usize,
-        mut engine: Layers,
+        mut engine: Box<dyn Engine>,
         budget: u64,
     ) -> Result<(), LimitReached> {
         let (plan, stopped) = match engine.advance(budget) {

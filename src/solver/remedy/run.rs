@@ -6,14 +6,14 @@ use super::horizons::Horizons;
 use super::{Advice, Change, Reason, Remedy};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
-use crate::problem::{JointSpace, Problem, SurvivorCounts};
+use crate::problem::{JointSpace, Problem};
 use crate::solver::engine::{Advance, Engine};
-use crate::solver::exact::{closure, layers};
+use crate::solver::exact;
 use crate::solver::live::LiveLayers;
-use crate::solver::outcome::{ParetoPoint, Progress, Stats};
+use crate::solver::outcome::{Progress, Stats};
 use crate::solver::run::SolveError;
 use crate::solver::shortest::{Reached, Shortest};
-use crate::solver::{Bounds, Horizon, Options, OptionsError, Solver};
+use crate::solver::{Horizon, Options, OptionsError, Solver};
 use crate::trace::validate;
 
 /// Expansions after which the search gives up, where the options allow no fewer.
@@ -49,11 +49,14 @@ pub struct RemedyRun {
     complete: bool,
 }
 
+/// Nothing changed, or one of the bounds.
+type Question = Option<(Change, usize)>;
+
 enum Stage {
     /// How far is the true goal?
     Shortest(Box<Shortest>),
-    /// Which survivor counts can be had with what is asked for but k and j?
-    Asked(Box<dyn Engine>),
+    /// Is there a plan as asked for, or with this change of k or j?
+    Question(Question, Box<dyn Engine>),
     /// Which other horizons would do?
     Horizons(Box<Horizons>),
     Done,
@@ -144,10 +147,11 @@ impl RemedyRun {
                     }
                 }
             }
-            Stage::Asked(engine) => {
+            Stage::Question(question, engine) => {
                 if let Advance::Finished(finding) = engine.advance(budget)? {
+                    let question = *question;
                     self.expansions += engine.stats().expansions;
-                    self.after_asked(&finding.pareto.unwrap_or_default());
+                    self.answer(question, finding.plan);
                 }
             }
             Stage::Horizons(horizons) => {
@@ -162,60 +166,67 @@ impl RemedyRun {
 
     /// What to look at once it is known how far the goal is.
     fn after_shortest(&mut self, shortest: usize) -> Result<Stage, LimitReached> {
-        let mut options = self.rest();
-        options.pareto = true;
-        (options.bounds.at_least, options.bounds.at_most) = (None, None);
-        let problem = Arc::clone(&self.problem);
-        let Some(asked) = self.asked else {
-            return Ok(Stage::Asked(Box::new(closure::Closure::new(problem, &options))));
-        };
-        let mut joint = JointSpace::new(Arc::clone(&problem), options.limits);
-        let start = joint.initial().state;
-        if asked >= shortest && LiveLayers::new(&mut joint, asked)?.contains(0, start) {
-            let engine = layers::Layers::new(problem, &options, asked);
-            return Ok(Stage::Asked(Box::new(engine)));
+        if let Some(asked) = self.asked {
+            let problem = Arc::clone(&self.problem);
+            let mut joint = JointSpace::new(Arc::clone(&problem), self.options.limits);
+            let start = joint.initial().state;
+            if asked < shortest || !LiveLayers::new(&mut joint, asked)?.contains(0, start) {
+                self.reason = Some(Reason::Length);
+                let horizons = Horizons::new(problem, self.rest(), asked, shortest);
+                return Ok(Stage::Horizons(Box::new(horizons)));
+            }
         }
-        self.reason = Some(Reason::Length);
-        let horizons = Horizons::new(problem, self.rest(), asked, shortest);
-        Ok(Stage::Horizons(Box::new(horizons)))
+        Ok(self.ask(None))
     }
 
-    /// Reads off what k and j would do, from the pairs that can be had.
-    fn after_asked(&mut self, pairs: &[ParetoPoint]) {
-        let Bounds { at_least, at_most, .. } = self.options.bounds;
-        let enemy = |counts: SurvivorCounts| at_least.is_none_or(|k| counts.adversarial >= k);
-        let friend = |counts: SurvivorCounts| at_most.is_none_or(|j| counts.cooperative <= j);
-        if pairs.iter().any(|point| enemy(point.counts) && friend(point.counts)) {
+    fn ask(&self, question: Question) -> Stage {
+        let mut options = self.rest();
+        match question {
+            Some((Change::AtLeast, value)) => options.bounds.at_least = Some(value),
+            Some((Change::AtMost, value)) => options.bounds.at_most = Some(value),
+            _ => {}
+        }
+        let engine = exact::engine(Arc::clone(&self.problem), &options, self.asked);
+        Stage::Question(question, engine)
+    }
+
+    /// Goes on after the answer to a question: with a smaller k until there is a plan, then with a
+    /// greater j until there is one, then with other horizons.
+    fn answer(&mut self, question: Question, plan: Option<Plan>) {
+        let found = plan.is_some();
+        match (question, plan) {
+            (None, Some(_)) => {
+                self.finish(true);
+                return;
+            }
+            (None, None) => self.reason = Some(Reason::Bounds),
+            (Some((change, value)), Some(plan)) => self.found.push((change, value, plan)),
+            (Some(_), None) => {}
+        }
+        let bounds = &self.options.bounds;
+        let at_least = match question {
+            None => bounds.at_least,
+            Some((Change::AtLeast, value)) if !found => Some(value),
+            Some(_) => None,
+        };
+        let at_most = match question {
+            Some((Change::AtMost, _)) if found => None,
+            Some((Change::AtMost, value)) => Some(value),
+            _ => bounds.at_most,
+        };
+        let most = self.problem.goals().len();
+        let next = if let Some(k) = at_least.filter(|k| *k > 1) {
+            self.ask(Some((Change::AtLeast, k - 1)))
+        } else if let Some(j) = at_most.filter(|j| *j < most) {
+            self.ask(Some((Change::AtMost, j + 1)))
+        } else if let (Some(asked), Some(shortest)) = (self.asked, self.shortest) {
+            let problem = Arc::clone(&self.problem);
+            Stage::Horizons(Box::new(Horizons::new(problem, self.rest(), asked, shortest)))
+        } else {
             self.finish(true);
             return;
-        }
-        self.reason = Some(Reason::Bounds);
-        if at_least.is_some() {
-            let fit = pairs.iter().filter(|point| friend(point.counts));
-            let most = |point: &&ParetoPoint| {
-                (point.counts.adversarial, std::cmp::Reverse(point.counts.cooperative))
-            };
-            let best = fit.max_by_key(most);
-            let found = best.map(|p| (Change::AtLeast, p.counts.adversarial, p.plan.clone()));
-            self.found.extend(found);
-        }
-        if at_most.is_some() {
-            let fit = pairs.iter().filter(|point| enemy(point.counts));
-            let least = |point: &&ParetoPoint| {
-                (point.counts.cooperative, std::cmp::Reverse(point.counts.adversarial))
-            };
-            let best = fit.min_by_key(least);
-            let found = best.map(|p| (Change::AtMost, p.counts.cooperative, p.plan.clone()));
-            self.found.extend(found);
-        }
-        match (self.asked, self.shortest) {
-            (Some(asked), Some(shortest)) => {
-                let problem = Arc::clone(&self.problem);
-                let horizons = Horizons::new(problem, self.rest(), asked, shortest);
-                self.stage = Stage::Horizons(Box::new(horizons));
-            }
-            _ => self.finish(true),
-        }
+        };
+        self.stage = next;
     }
 
     /// The options with what is left of the expansions allowed.
@@ -236,7 +247,7 @@ impl RemedyRun {
 
     fn done(&self) -> u64 {
         let stage = match &self.stage {
-            Stage::Asked(engine) => engine.stats().expansions,
+            Stage::Question(_, engine) => engine.stats().expansions,
             Stage::Horizons(horizons) => horizons.expansions(),
             Stage::Shortest(_) | Stage::Done => 0,
         };
@@ -269,7 +280,8 @@ impl RemedyRun {
         if !matches!(self.stage, Stage::Done) {
             self.finish(false);
         }
-        let mut remedies = Vec::new();
+        // By how much, and which.
+        let mut remedies: Vec<((usize, Change, usize), Remedy)> = Vec::new();
         for (change, value, plan) in &self.found {
             let by = match change {
                 Change::Horizon => self.asked,
@@ -277,9 +289,11 @@ impl RemedyRun {
                 Change::AtMost => self.options.bounds.at_most,
             };
             let remedy = self.remedy(*change, *value, plan)?;
-            remedies.push((by.unwrap_or_default().abs_diff(*value), remedy));
+            // Of two horizons equally far the longer one first.
+            let by = (by.unwrap_or_default().abs_diff(*value), *change, usize::MAX - value);
+            let place = remedies.partition_point(|(known, _)| *known < by);
+            remedies.insert(place, (by, remedy));
         }
-        remedies.sort_by_key(|(by, remedy)| (*by, remedy.change, std::cmp::Reverse(remedy.value)));
         Ok(Advice {
             reason: self.reason,
             shortest: self.shortest,

@@ -6,7 +6,7 @@
 //! It asks for less than a plan must do, so the most steps over a belief bound from below how long a
 //! plan must still be for the goal to die.
 
-use super::steps::{Steps, with_symbol};
+use super::steps::{Step, Steps};
 use super::twins::{NEVER, Twins};
 use crate::solver::live::Live;
 use crate::task::StateId;
@@ -70,14 +70,19 @@ impl Doubts {
                 queue.push(0, place);
             }
             begins.push(left.len());
-            for step in seen.out(state) {
-                let along = with_symbol(seen.out(other), step.symbol).iter();
-                let open = along.filter(|o| places[pair_of(step.state, o.state)] != 0).count();
-                left.push(open as u32);
-                if open == 0
-                    && let Some(rest) = distance(step.state)
-                {
-                    queue.push(rest + 1, place);
+            let begin = left.len();
+            for &group in seen.out.of(state) {
+                let along = seen.out.with_symbol(other, group.symbol);
+                for step in seen.out.steps(group) {
+                    let open = |o: &&Step| places[pair_of(step.state, o.state)] != 0;
+                    let open = along.iter().filter(open).count();
+                    left.resize(left.len().max(begin + step.place as usize + 1), 0);
+                    left[begin + step.place as usize] = open as u32;
+                    if open == 0
+                        && let Some(rest) = distance(step.state)
+                    {
+                        queue.push(rest + 1, place);
+                    }
                 }
             }
         }
@@ -94,9 +99,9 @@ impl Doubts {
                 steps[place as usize] = now as u16;
                 let (state, other) = split(pairs[place as usize]);
                 let Some(rest) = distance(state) else { continue };
-                for same in seen.into(state).chunk_by(|a, b| a.symbol == b.symbol) {
-                    let others = with_symbol(seen.into(other), same[0].symbol);
-                    for before in same {
+                for &group in seen.into.of(state) {
+                    let others = seen.into.with_symbol(other, group.symbol);
+                    for before in seen.into.steps(group) {
                         for other in others {
                             // What leads to a pair that can be reached can be reached.
                             let before_pair = places[pair_of(before.state, other.state)] as usize;

@@ -1,5 +1,6 @@
 //! How long a plan must still be to be worth what is aimed at.
 
+use super::classes::Classes;
 use super::doubts::Doubts;
 use super::steps::Steps;
 use super::twins::{NEVER, Twins};
@@ -65,12 +66,21 @@ fn states_of_goals(joint: &mut JointSpace) -> Vec<Vec<u32>> {
     states
 }
 
+/// Sorts a few numbers; there are as many as goals.
+fn sort(numbers: &mut [u32]) {
+    for end in 1..numbers.len() {
+        let place = numbers[..end].partition_point(|&known| known <= numbers[end]);
+        numbers[place..=end].rotate_right(1);
+    }
+}
+
 impl Estimates {
     /// Goes through the whole state space; none where it or the tables would be too large.
     pub(super) fn new(
         joint: &mut JointSpace,
         bounds: &Bounds,
     ) -> Result<Option<Self>, LimitReached> {
+        let root = joint.initial();
         let mut expanded = 0;
         while expanded < joint.states().len() {
             if joint.states().len() > MOST_STATES {
@@ -97,10 +107,18 @@ impl Estimates {
             work += steps.same_looking_pairs().saturating_mul(others.len() as u64);
             match watched.role {
                 Role::Adversarial => {
-                    let table = |&goal: &usize| {
-                        Twins::new(states, &by_goal[problem.true_goal()], &by_goal[goal])
+                    let believed =
+                        joint.beliefs(observer).members(joint.belief(root.profile, observer));
+                    let mut classes = Classes::new(&steps);
+                    let pairs = classes.pairs(believed.iter().map(|other| (root.state.0, other.0)));
+                    let reached = &by_goal[problem.true_goal()];
+                    let mut table = |&goal: &usize| match &pairs {
+                        Some(pairs) if !classes.hold(pairs, reached, &by_goal[goal]) => {
+                            Twins::hopeless()
+                        }
+                        _ => Twins::new(states, reached, &by_goal[goal]),
                     };
-                    let tables = others.iter().map(table).collect();
+                    let tables = others.iter().map(&mut table).collect();
                     enemies.push(Watcher { observer, steps, tables });
                 }
                 Role::Cooperative => friends.push(Watcher { observer, steps, tables: Vec::new() }),
@@ -162,6 +180,10 @@ impl Estimates {
             depth += 1;
             table.extend(steps, depth);
         }
+        if table.least(node.state, believed) == NEVER {
+            // Then it is lost wherever a plan leads, and nobody need look it up any more.
+            *table = Twins::hopeless();
+        }
         self.edition += 1;
         true
     }
@@ -205,7 +227,7 @@ impl Estimates {
             for &(_, goal) in self.required.iter().filter(|(enemy, _)| *enemy == number) {
                 least = least.max(self.scratch[goal]);
             }
-            self.scratch.sort_unstable();
+            sort(&mut self.scratch);
             for (most, &steps) in self.ahead.iter_mut().zip(&self.scratch) {
                 *most = steps.max(*most);
             }
@@ -216,7 +238,7 @@ impl Estimates {
             self.scratch.clear();
             let most = |table: &Doubts| table.most(node.state, believed, distance as u32);
             self.scratch.extend(friend.tables.iter().map(most));
-            self.scratch.sort_unstable();
+            sort(&mut self.scratch);
             for (most, &steps) in self.behind.iter_mut().zip(&self.scratch) {
                 *most = steps.max(*most);
             }

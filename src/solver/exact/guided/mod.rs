@@ -21,6 +21,7 @@
 //! State spaces with too many pairs, and searches for all pairs of survivor counts, are left to
 //! [`layers`](super::layers) and [`closure`](super::closure).
 
+mod classes;
 mod doubts;
 mod estimates;
 mod ground;
@@ -108,7 +109,6 @@ impl Guided {
 
     fn prepare(&self) -> Result<Stage, LimitReached> {
         let mut joint = JointSpace::new(Arc::clone(&self.problem), self.options.limits);
-        joint.initial();
         let bounds = self.options.heeded_bounds();
         let Some(estimates) = Estimates::new(&mut joint, &bounds)? else {
             return Ok(self.plain(None));

@@ -3,73 +3,98 @@
 use crate::problem::JointSpace;
 use crate::task::StateId;
 
-/// One transition, from either side.
+/// One transition, seen from the state on one side of it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Step {
-    /// What the observer sees of it.
-    pub symbol: u32,
     /// The state on the other side.
     pub state: u32,
     /// Its place among the transitions out of the state it begins in.
     pub place: u32,
 }
 
+/// Transitions of one state that look the same.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Group {
+    pub symbol: u32,
+    begin: u32,
+    end: u32,
+}
+
 /// Transitions by state, those of a state by symbol.
-#[derive(Debug)]
-struct Rows {
-    /// Where the transitions of each state end; the first number stands before all.
-    ends: Vec<usize>,
+#[derive(Debug, Default)]
+pub(super) struct Rows {
+    /// Where the groups of each state end; the first number stands before all.
+    ends: Vec<u32>,
+    groups: Vec<Group>,
     steps: Vec<Step>,
 }
 
+/// The state whose row it is in, the symbol, and the transition.
+type Entry = (u32, u32, Step);
+
 impl Rows {
-    fn new(rows: Vec<Vec<Step>>) -> Self {
-        let mut ends = vec![0];
-        let mut steps = Vec::new();
-        for mut row in rows {
-            row.sort_by_key(|step| step.symbol);
-            steps.extend_from_slice(&row);
-            ends.push(steps.len());
+    /// `entries` in any order.
+    fn new(states: usize, entries: &[Entry]) -> Self {
+        let mut rows: Vec<Vec<(u32, Step)>> = vec![Vec::new(); states];
+        for &(row, symbol, step) in entries {
+            let row = &mut rows[row as usize];
+            let place = row.partition_point(|(known, _)| *known <= symbol);
+            row.insert(place, (symbol, step));
         }
-        Self { ends, steps }
+        let mut all = Self { ends: vec![0], ..Self::default() };
+        for row in rows {
+            for same in row.chunk_by(|a, b| a.0 == b.0) {
+                let begin = all.steps.len() as u32;
+                all.steps.extend(same.iter().map(|(_, step)| *step));
+                let (symbol, end) = (same[0].0, all.steps.len() as u32);
+                all.groups.push(Group { symbol, begin, end });
+            }
+            all.ends.push(all.groups.len() as u32);
+        }
+        all
     }
 
-    fn of(&self, state: usize) -> &[Step] {
-        &self.steps[self.ends[state]..self.ends[state + 1]]
+    /// The transitions of a state in groups, by symbol.
+    pub(super) fn of(&self, state: u32) -> &[Group] {
+        let (begin, end) = (self.ends[state as usize], self.ends[state as usize + 1]);
+        &self.groups[begin as usize..end as usize]
+    }
+
+    /// The transitions of a group.
+    pub(super) fn steps(&self, group: Group) -> &[Step] {
+        &self.steps[group.begin as usize..group.end as usize]
+    }
+
+    /// Those of a state with this symbol.
+    pub(super) fn with_symbol(&self, state: u32, symbol: u32) -> &[Step] {
+        let found = self.of(state).iter().find(|group| group.symbol == symbol);
+        found.map_or(&[], |&group| self.steps(group))
     }
 }
 
 /// Transitions out of and into each state.
 #[derive(Debug)]
 pub(super) struct Steps {
-    out: Rows,
-    into: Rows,
+    pub(super) out: Rows,
+    pub(super) into: Rows,
 }
 
 impl Steps {
     /// Those of a space whose states are all expanded.
     pub(super) fn new(joint: &mut JointSpace, observer: usize) -> Self {
-        let count = joint.states().len();
-        let mut out = Vec::with_capacity(count);
-        for state in 0..count {
-            let range = joint.states().edge_range(StateId(state as u32));
-            let step = |edge| Step {
-                symbol: joint.symbol(observer, edge).index() as u32,
-                state: joint.states().all_edges()[edge].target.0,
-                place: 0,
-            };
-            out.push(range.map(step).collect());
-        }
-        let mut out = Rows::new(out);
-        let mut into = vec![Vec::new(); count];
-        for state in 0..count {
-            let (begin, end) = (out.ends[state], out.ends[state + 1]);
-            for (place, step) in out.steps[begin..end].iter_mut().enumerate() {
-                step.place = place as u32;
-                into[step.state as usize].push(Step { state: state as u32, ..*step });
+        let states = joint.states().len();
+        let mut out = Vec::with_capacity(joint.states().edge_count());
+        let mut into = Vec::with_capacity(joint.states().edge_count());
+        for state in 0..states as u32 {
+            let range = joint.states().edge_range(StateId(state));
+            for (place, edge) in range.enumerate() {
+                let symbol = joint.symbol(observer, edge).index() as u32;
+                let (target, place) = (joint.states().all_edges()[edge].target.0, place as u32);
+                out.push((state, symbol, Step { state: target, place }));
+                into.push((target, symbol, Step { state, place }));
             }
         }
-        Self { out, into: Rows::new(into) }
+        Self { out: Rows::new(states, &out), into: Rows::new(states, &into) }
     }
 
     /// How many states there are.
@@ -77,32 +102,15 @@ impl Steps {
         self.out.ends.len() - 1
     }
 
-    /// The transitions out of a state, by symbol.
-    pub(super) fn out(&self, state: u32) -> &[Step] {
-        self.out.of(state as usize)
-    }
-
-    /// The transitions into a state, by symbol.
-    pub(super) fn into(&self, state: u32) -> &[Step] {
-        self.into.of(state as usize)
-    }
-
     /// How many pairs of transitions look the same: what a table over pairs of states takes to
     /// fill.
     pub(super) fn same_looking_pairs(&self) -> u64 {
         let mut counts: Vec<u64> = Vec::new();
-        for step in &self.out.steps {
-            let symbol = step.symbol as usize;
+        for group in &self.out.groups {
+            let symbol = group.symbol as usize;
             counts.resize(counts.len().max(symbol + 1), 0);
-            counts[symbol] += 1;
+            counts[symbol] += u64::from(group.end - group.begin);
         }
         counts.iter().map(|count| count.saturating_mul(*count)).fold(0, u64::saturating_add)
     }
-}
-
-/// Those with this symbol, among transitions by symbol.
-pub(super) fn with_symbol(steps: &[Step], symbol: u32) -> &[Step] {
-    let begin = steps.partition_point(|step| step.symbol < symbol);
-    let end = steps.partition_point(|step| step.symbol <= symbol);
-    &steps[begin..end]
 }

@@ -8,7 +8,7 @@
 //! bounds from below how long a plan must still be for the goal to survive; where there are none,
 //! it is lost.
 
-use super::steps::{Steps, with_symbol};
+use super::steps::{Step, Steps};
 use crate::task::StateId;
 
 /// There is no such plan.
@@ -19,7 +19,7 @@ const UNKNOWN: u16 = u16::MAX;
 const MOST_STEPS: u32 = UNKNOWN as u32 - 2;
 
 /// The least steps of all pairs, found backwards from the goals as far as is asked for.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Twins {
     states: usize,
     /// By pair: the actor's state times the number of states, plus the other state.
@@ -51,6 +51,11 @@ impl Twins {
         twins
     }
 
+    /// Knows that no pair that matters leads to the goals.
+    pub(super) fn hopeless() -> Self {
+        Self::default()
+    }
+
     /// Whether every pair that can be reached is known.
     pub(super) fn complete(&self) -> bool {
         self.next == self.reached.len()
@@ -66,26 +71,43 @@ impl Twins {
             }
             self.next += 1;
             let (state, other) = (pair / self.states as u32, pair % self.states as u32);
-            let others = steps.into(other);
-            for same in steps.into(state).chunk_by(|a, b| a.symbol == b.symbol) {
-                let others = with_symbol(others, same[0].symbol);
-                for before in same {
-                    let row = before.state as usize * self.states;
-                    for other in others {
-                        let pair = row + other.state as usize;
-                        if self.least[pair] == UNKNOWN {
-                            self.least[pair] = least + 1;
-                            self.reached.push(pair as u32);
-                        }
-                    }
+            // Both in the order of their symbols.
+            let mut others = steps.into.of(other);
+            for &group in steps.into.of(state) {
+                while let Some((first, rest)) = others.split_first()
+                    && first.symbol < group.symbol
+                {
+                    others = rest;
+                }
+                let Some(&same) = others.first() else { break };
+                if same.symbol == group.symbol {
+                    self.reach(steps.into.steps(group), steps.into.steps(same), least + 1);
                 }
             }
         }
         self.depth = self.depth.max(until);
     }
 
+    /// Gives so many steps to the pairs of these states that have none yet.
+    fn reach(&mut self, states: &[Step], others: &[Step], least: u16) {
+        for before in states {
+            let row = before.state * self.states as u32;
+            for other in others {
+                let pair = row + other.state;
+                let known = &mut self.least[pair as usize];
+                if *known == UNKNOWN {
+                    *known = least;
+                    self.reached.push(pair);
+                }
+            }
+        }
+    }
+
     /// The fewest steps of any believed state, or more than are known.
     pub(super) fn least(&self, state: StateId, believed: &[StateId]) -> u32 {
+        if self.least.is_empty() {
+            return NEVER;
+        }
         let row = &self.least[state.index() * self.states..][..self.states];
         let least = believed.iter().map(|other| row[other.index()]).min().unwrap_or(UNKNOWN);
         match least {

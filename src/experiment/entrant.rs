@@ -1,0 +1,130 @@
+//! The solvers of the experiments: each a row of the tables.
+
+use super::{Figure, SettingLimits, TestDomain};
+use crate::limits::Limits;
+use crate::solver::{Encoding, Horizon, Options, Solver};
+
+/// How far a horizon without a plan is raised at a time: the paper's step.
+pub const HORIZON_STEP: usize = 2;
+
+/// A solver with the options an experiment gives it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Entrant {
+    /// A plan for the true goal, whatever anybody makes of it.
+    Baseline,
+    /// The integer program, in the belief-flow encoding.
+    Ip,
+    /// The integer program, in the paper's encoding.
+    IpPaper,
+    /// Algorithm 1 with k and j.
+    Search,
+    /// The best plan of as many actions as the integer program takes.
+    Exact,
+    /// The best plan of up to the domain's horizon.
+    ExactUpTo,
+    /// The best plan of any length.
+    ExactAny,
+    /// The search with k alone.
+    Obfuscate,
+    /// The search with j alone.
+    Legible,
+}
+
+/// What lengths of plans an entrant looks at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lengths {
+    /// All at once.
+    Any,
+    /// Exactly a horizon, raised while it has no plan.
+    Exactly,
+    /// All up to a horizon, raised while it has no plan.
+    UpTo,
+}
+
+impl Entrant {
+    /// The name in records and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Baseline => "baseline",
+            Self::Ip => "ip",
+            Self::IpPaper => "ip-paper",
+            Self::Search => "search",
+            Self::Exact => "exact",
+            Self::ExactUpTo => "exact-up-to",
+            Self::ExactAny => "exact-any",
+            Self::Obfuscate => "obfuscate",
+            Self::Legible => "legible",
+        }
+    }
+
+    /// How tables and figures call it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Baseline => "baseline",
+            Self::Ip => "integer program",
+            Self::IpPaper => "integer program, paper's encoding",
+            Self::Search => "search",
+            Self::Exact => "exact, horizon of the integer program",
+            Self::ExactUpTo => "exact, up to the horizon",
+            Self::ExactAny => "exact, all lengths",
+            Self::Obfuscate => "obfuscation alone",
+            Self::Legible => "legibility alone",
+        }
+    }
+
+    /// Whether it stands for the optimum.
+    pub fn is_exact(self) -> bool {
+        matches!(self, Self::Exact | Self::ExactUpTo | Self::ExactAny)
+    }
+
+    /// Whether a run of this setting has this entrant on this domain.
+    pub(super) fn takes_part(self, domain: &TestDomain, limits: &SettingLimits) -> bool {
+        match self {
+            Self::IpPaper => limits.paper_nodes.is_some(),
+            Self::ExactAny => domain.all_lengths,
+            _ => true,
+        }
+    }
+
+    /// What lengths of plans it looks at.
+    pub fn lengths(self) -> Lengths {
+        match self {
+            Self::Ip | Self::IpPaper | Self::Exact => Lengths::Exactly,
+            Self::ExactUpTo => Lengths::UpTo,
+            _ => Lengths::Any,
+        }
+    }
+
+    /// The options of its solver; the memory limit and a first horizon are the run's to fill in.
+    pub fn options(self, figure: Figure, limits: &SettingLimits) -> Options {
+        let solver = match self {
+            Self::Baseline => Solver::Baseline,
+            Self::Ip | Self::IpPaper => Solver::Ip,
+            Self::Search => Solver::Search,
+            Self::Exact | Self::ExactUpTo | Self::ExactAny => Solver::Exact,
+            Self::Obfuscate => Solver::Obfuscate,
+            Self::Legible => Solver::Legible,
+        };
+        let (k, j) = figure.bounds();
+        let mut options = Options::new(solver);
+        options.bounds.at_least = matches!(self, Self::Search | Self::Obfuscate).then_some(k);
+        options.bounds.at_most = matches!(self, Self::Search | Self::Legible).then_some(j);
+        if self == Self::IpPaper {
+            options.encoding = Encoding::Paper;
+            options.limits.nodes = limits.paper_nodes.unwrap_or(u64::MAX);
+            options.limits.nonzeros = limits.paper_nonzeros;
+        }
+        if self == Self::ExactAny {
+            options.limits.expansions = limits.exact_expansions;
+        }
+        options.horizon = match self.lengths() {
+            Lengths::Any => Horizon::Any,
+            Lengths::Exactly | Lengths::UpTo => Horizon::Auto,
+        };
+        if self.lengths() == Lengths::Exactly {
+            options.horizon_step = HORIZON_STEP;
+        }
+        options.limits = Limits { bytes: limits.memory_mib << 20, ..options.limits };
+        options
+    }
+}

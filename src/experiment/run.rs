@@ -1,0 +1,128 @@
+//! Runs the jobs of an experiment on several threads.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
+
+use super::attempt::{Ended, attempt};
+use super::records::RecordFile;
+use super::{ExperimentError, Job, Setting};
+
+/// What is told while a run is at work.
+#[derive(Debug, Clone, Copy)]
+pub enum Told<'a> {
+    /// A job is begun.
+    Begun(&'a Job),
+    /// A job has its record.
+    Recorded(&'a Job),
+    /// A job has to wait until fewer jobs share the memory.
+    PutOff(&'a Job),
+}
+
+/// Does the jobs that have no record yet, `workers` at a time; true when all of them have one,
+/// false when the run was stopped before.
+///
+/// The memory limit of the setting is for the whole process: each job gets its share, and one that
+/// needs more is done again with fewer at its side, the last ones alone. So a job stops at the same
+/// limit, and leaves the same record, however many there are at a time.
+///
+/// # Errors
+///
+/// A problem cannot be drawn, a solver breaks down, or the records cannot be written.
+pub fn run(
+    setting: &Setting,
+    jobs: &[Job],
+    workers: usize,
+    records: &mut RecordFile,
+    stop: &AtomicBool,
+    tell: &(dyn Fn(Told<'_>) + Sync),
+) -> Result<bool, ExperimentError> {
+    let done = records.entries();
+    let mut waiting: Vec<&Job> = jobs.iter().filter(|job| !done.contains_key(&job.place)).collect();
+    let mut workers = workers.max(1);
+    let records = Mutex::new(records);
+    while !waiting.is_empty() {
+        let bytes = (setting.limits.memory_mib << 20) / workers as u64;
+        let jobs = std::mem::take(&mut waiting);
+        let round = Round { setting, jobs: &jobs, bytes, records: &records, stop, tell };
+        let Some(put_off) = round.run(workers)? else { return Ok(false) };
+        waiting = put_off.into_iter().map(|index| jobs[index]).collect();
+        workers = (workers / 2).max(1);
+    }
+    Ok(true)
+}
+
+/// Jobs that share the memory in equal parts.
+struct Round<'a, 'f> {
+    setting: &'a Setting,
+    jobs: &'a [&'a Job],
+    bytes: u64,
+    records: &'a Mutex<&'f mut RecordFile>,
+    stop: &'a AtomicBool,
+    tell: &'a (dyn Fn(Told<'_>) + Sync),
+}
+
+impl Round<'_, '_> {
+    /// The places of the jobs that need more memory; none when the run was stopped.
+    fn run(&self, workers: usize) -> Result<Option<Vec<usize>>, ExperimentError> {
+        let next = AtomicUsize::new(0);
+        let failed = AtomicBool::new(false);
+        let results: Vec<Result<Vec<usize>, ExperimentError>> = thread::scope(|scope| {
+            let work = || {
+                let mut put_off = Vec::new();
+                while !self.stop.load(Ordering::SeqCst) && !failed.load(Ordering::SeqCst) {
+                    let index = next.fetch_add(1, Ordering::SeqCst);
+                    let Some(job) = self.jobs.get(index) else { break };
+                    match self.one(job) {
+                        Ok(true) => {}
+                        Ok(false) => put_off.push(index),
+                        Err(error) => {
+                            failed.store(true, Ordering::SeqCst);
+                            return Err(error);
+                        }
+                    }
+                }
+                Ok(put_off)
+            };
+            let threads: Vec<_> =
+                (0..workers.min(self.jobs.len())).map(|_| scope.spawn(work)).collect();
+            let join = |thread: thread::ScopedJoinHandle<'_, _>| match thread.join() {
+                Ok(result) => result,
+                Err(panic) => std::panic::resume_unwind(panic),
+            };
+            threads.into_iter().map(join).collect()
+        });
+        let mut put_off = Vec::new();
+        for result in results {
+            put_off.extend(result?);
+        }
+        if self.stop.load(Ordering::SeqCst) {
+            return Ok(None);
+        }
+        put_off.sort_unstable();
+        Ok(Some(put_off))
+    }
+
+    /// Whether the job needs no more memory than there is.
+    fn one(&self, job: &Job) -> Result<bool, ExperimentError> {
+        (self.tell)(Told::Begun(job));
+        match attempt(self.setting, job, self.bytes, self.stop)? {
+            Ended::Answered(record) => {
+                // A thread that panics ends the run, so nobody meets what it left behind.
+                let mut records = match self.records.lock() {
+                    Ok(records) => records,
+                    Err(poisoned) => poisoned.into_inner(),
+                };
+                records.add(job, *record)?;
+                drop(records);
+                (self.tell)(Told::Recorded(job));
+            }
+            Ended::MoreMemory => {
+                (self.tell)(Told::PutOff(job));
+                return Ok(false);
+            }
+            Ended::Stopped => {}
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,257 @@
+//! Patterns over operators: what a sensor goes by.
+//!
+//! `*` matches every operator, `stack` every one of that name, and `(stack a ?x - small)` those whose
+//! arguments fit: an object is itself, a variable is anything of the type, or of the *group* of
+//! objects, that stands behind its dash (and, as everywhere in PDDL, behind those before it that have
+//! no dash). A variable that stands twice is the same object twice.
+
+use std::sync::Arc;
+
+use super::atom::{Atom, LiftedAtom, Scope, Term, arguments_of};
+use super::condition::Condition;
+use super::definition::TaskDefinition;
+use super::domain::Domain;
+use super::error::PddlError;
+use super::expression::{Expression, Tree};
+use super::literals::Literals;
+use super::object::ObjectId;
+use super::schema::{Parameters, Schema};
+use super::types::{TypeSet, Typed, some, typed_list};
+
+/// Objects that go by one name, sorted.
+pub type Group = (String, Vec<ObjectId>);
+
+/// What stands in the place of an argument.
+#[derive(Debug, Clone)]
+enum Argument {
+    Object(ObjectId),
+    /// The first place of a variable, and what it must be.
+    Variable(Kind),
+    /// The same as the argument at this position.
+    Same(usize),
+}
+
+#[derive(Debug, Clone)]
+enum Kind {
+    Anything,
+    Types(Arc<TypeSet>),
+    Group(Vec<ObjectId>),
+}
+
+/// A pattern over the operators of a task.
+#[derive(Debug, Clone)]
+pub struct Pattern {
+    /// None for any.
+    schema: Option<usize>,
+    /// None for whatever there are.
+    arguments: Option<Vec<Argument>>,
+    variables: Parameters,
+    /// The argument each variable stands for.
+    places: Vec<usize>,
+}
+
+const EXPECTED: &str = "an operator: *, a name, or a pattern as in (stack ?x ?y)";
+
+impl Pattern {
+    /// Reads a pattern over the objects of a task and these groups of them.
+    ///
+    /// # Errors
+    ///
+    /// [`PddlError`] with the place in this text, also for a pattern that can match no operator: an
+    /// action the domain does not have, another number of arguments, objects or types that never
+    /// stand there.
+    pub fn read(
+        domain: &Domain,
+        task: &TaskDefinition,
+        groups: &[Group],
+        text: &str,
+    ) -> Result<Self, PddlError> {
+        let tree = Tree::read(text)?;
+        let whole = tree.only(EXPECTED)?;
+        let mut pattern = Self {
+            schema: None,
+            arguments: None,
+            variables: Parameters::default(),
+            places: Vec::new(),
+        };
+        if whole.is("*") {
+            return Ok(pattern);
+        }
+        if whole.symbol().is_some() {
+            pattern.schema = Some(schema(domain, whole)?);
+            return Ok(pattern);
+        }
+        let (head, items) = whole.headed(EXPECTED)?;
+        let number = schema(domain, head)?;
+        let schema = &domain.schemas[number];
+        let items = typed_list(items)?;
+        let count = schema.parameters.len();
+        if items.len() != count {
+            let found = format!("{} with {}", schema.name, arguments_of(items.len()));
+            return Err(whole.wrong(found, arguments_of(count)));
+        }
+        pattern.schema = Some(number);
+        let mut arguments = Vec::with_capacity(count);
+        for (position, typed) in items.iter().enumerate() {
+            let types = schema.parameters.shared_types(position as u32);
+            let argument = pattern.argument(domain, task, groups, typed, (position, types))?;
+            arguments.push(argument);
+        }
+        pattern.arguments = Some(arguments);
+        Ok(pattern)
+    }
+
+    fn argument(
+        &mut self,
+        domain: &Domain,
+        task: &TaskDefinition,
+        groups: &[Group],
+        typed: &Typed<'_>,
+        (position, wanted): (usize, &Arc<TypeSet>),
+    ) -> Result<Argument, PddlError> {
+        let place = typed.item;
+        let expected = || domain.types.written(wanted);
+        if !place.symbol().is_some_and(|name| name.starts_with('?')) {
+            let object = task.objects.find(place)?;
+            if !task.objects.types(object).is_within(wanted) {
+                return Err(place.expected(&expected()));
+            }
+            return Ok(Argument::Object(object));
+        }
+        let name = place.variable()?;
+        if let Some(variable) = self.variables.position(&name) {
+            if let Some(kind) = typed.kind {
+                let found = format!("a type behind {} for the second time", place.shown());
+                return Err(kind.wrong(found, "none there"));
+            }
+            return Ok(Argument::Same(self.places[variable as usize]));
+        }
+        let kind = match typed.kind {
+            None => Kind::Anything,
+            Some(kind) => {
+                let named = kind.symbol().map(str::to_lowercase);
+                let group = groups.iter().find(|(name, _)| Some(name) == named.as_ref());
+                match group {
+                    Some((_, objects)) => {
+                        let fits = |id: &&ObjectId| task.objects.types(**id).is_within(wanted);
+                        if objects.iter().find(fits).is_none() {
+                            return Err(kind.expected(&format!("a group with a {}", expected())));
+                        }
+                        Kind::Group(objects.clone())
+                    }
+                    None => {
+                        let types = domain.types.resolve(typed).map_err(|mut error| {
+                            if !groups.is_empty() {
+                                let names = some(groups.iter().map(|(name, _)| name.as_str()));
+                                error.expected = format!("{}; or a group: {names}", error.expected);
+                            }
+                            error
+                        })?;
+                        if !types.meets(wanted) {
+                            return Err(kind.expected(&expected()));
+                        }
+                        Kind::Types(types)
+                    }
+                }
+            }
+        };
+        let types = match &kind {
+            Kind::Types(types) => Arc::clone(types),
+            Kind::Anything | Kind::Group(_) => Arc::clone(wanted),
+        };
+        self.variables.push(place, name, types)?;
+        self.places.push(position);
+        Ok(Argument::Variable(kind))
+    }
+
+    /// The position of the action's schema in the domain; none for any.
+    pub fn schema(&self) -> Option<usize> {
+        self.schema
+    }
+
+    /// Whether every operator of its schema matches.
+    pub fn takes_all_arguments(&self) -> bool {
+        self.arguments.is_none()
+    }
+
+    /// The argument that a variable stands for; its name is in small letters, its question mark
+    /// included.
+    pub fn place(&self, variable: &str) -> Option<usize> {
+        self.variables.position(variable).map(|position| self.places[position as usize])
+    }
+
+    /// Its variables, for an error.
+    pub fn written_variables(&self) -> String {
+        self.variables.written()
+    }
+
+    /// Whether an operator matches.
+    pub fn matches(&self, task: &TaskDefinition, schema: usize, objects: &[ObjectId]) -> bool {
+        let fits = |(argument, object): (&Argument, &ObjectId)| match argument {
+            Argument::Object(wanted) => wanted == object,
+            Argument::Same(other) => objects.get(*other) == Some(object),
+            Argument::Variable(Kind::Anything) => true,
+            Argument::Variable(Kind::Types(types)) => task.objects.types(*object).is_within(types),
+            Argument::Variable(Kind::Group(group)) => group.binary_search(object).is_ok(),
+        };
+        self.schema.is_none_or(|wanted| wanted == schema)
+            && self.arguments.iter().all(|wanted| wanted.iter().zip(objects).all(fits))
+    }
+
+    /// Reads a condition over the pattern's variables and the objects of the task.
+    ///
+    /// # Errors
+    ///
+    /// [`PddlError`] with the place in this text.
+    pub fn read_condition(
+        &self,
+        domain: &Domain,
+        task: &TaskDefinition,
+        text: &str,
+    ) -> Result<Literals, PddlError> {
+        let scope = Scope {
+            types: &domain.types,
+            predicates: &domain.predicates,
+            objects: &task.objects,
+            parameters: Some(&self.variables),
+        };
+        let tree = Tree::read(text)?;
+        Literals::condition(&scope, tree.only("a condition, as in (and (on ?x ?y) (clear ?x))")?)
+    }
+
+    /// What such a condition says for an operator that matches.
+    pub fn condition(&self, literals: &Literals, objects: &[ObjectId]) -> Condition {
+        let object = |term: Term| match term {
+            Term::Object(object) => object,
+            Term::Parameter(variable) => objects[self.places[variable as usize]],
+        };
+        let all = |atoms: &[LiftedAtom]| {
+            let atom = |atom: &LiftedAtom| Atom {
+                predicate: atom.predicate,
+                objects: atom.terms.iter().map(|&term| object(term)).collect(),
+            };
+            let mut atoms: Vec<Atom> = atoms.iter().map(atom).collect();
+            atoms.sort_unstable();
+            atoms.dedup();
+            atoms
+        };
+        let same = |&(one, other): &(Term, Term)| object(one) == object(other);
+        Condition {
+            positive: all(&literals.positive),
+            negative: all(&literals.negative),
+            is_false: !literals.equal.iter().all(same) || literals.unequal.iter().any(same),
+        }
+    }
+}
+
+/// The action of this name.
+fn schema(domain: &Domain, place: Expression<'_>) -> Result<usize, PddlError> {
+    let name = place.name("the name of an action")?;
+    domain.schemas.iter().position(|schema| schema.name == name).ok_or_else(|| {
+        let names = some(domain.schemas.iter().map(|schema: &Schema| schema.name.as_str()));
+        place.wrong(
+            format!("the undeclared action {}", place.shown()),
+            format!("an action of the domain: {names}"),
+        )
+    })
+}
