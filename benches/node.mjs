@@ -16,7 +16,8 @@ const run = (command, ...args) =>
     stdio: ["ignore", "pipe", "ignore"],
   });
 
-if (!process.env.MO_COPP_NODE_BUILT) run("wasm-pack", "build", "--target", "nodejs", "--out-dir", "target/node", "--profile", "wasm-release");
+if (!process.env.MO_COPP_NODE_BUILT)
+  run("wasm-pack", "build", "--target", "nodejs", "--out-dir", "target/node", "--profile", "wasm-release");
 const { Problem } = createRequire(import.meta.url)(join(root, "target/node/mo_copp.js"));
 
 const generate = (seed, ...size) =>
@@ -77,7 +78,6 @@ line("exact, 8x8, T = 12 or 14", 21, eight, (horizon) => ({ solver: "exact", hor
 line("exact, 8x8, all horizons", 21, eight, () => ({ solver: "exact", horizon: "any" }));
 line("belief-flow, 8x8, T = 12 or 14", 3, eight, (horizon) => ({ solver: "ip", horizon }));
 line("search, 8x8, k = 2, j = 2", 5, eight, () => ({ solver: "search", k: 2, j: 2 }));
-<<<<<<< HEAD
 
 // What the page's editor makes at its largest, as in benches/solvers.rs.
 const largest = [];
@@ -113,11 +113,15 @@ function whole(text) {
 function drag(name, repeats, texts) {
   report(name, repeats, texts, whole);
 }
-drag("a drag at 8x8", 21, eight.map(({ text }) => text));
-drag("a drag at 32x32", 3, largest.map(({ text }) => text));
+drag(
+  "a drag at 8x8",
+  21,
+  eight.map(({ text }) => text),
+);
+drag(
+  "a drag at 32x32",
+  3,
+  largest.map(({ text }) => text),
+);
 const four = atHorizon(10, [6, 7], "--width", "4", "--height", "4", "--belief", "4");
 line("paper, 4x4, T = 6 or 7", 1, four, (horizon) => ({ solver: "ip", encoding: "paper", horizon }));
-=======
-const four = atHorizon(10, [6], "--width", "4", "--height", "4", "--belief", "4");
-line("paper, 4x4, T = 6", 1, four, (horizon) => ({ solver: "ip", encoding: "paper", horizon }));
->>>>>>> main
