@@ -1,6 +1,6 @@
-import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
+import { documentation } from "./scripts/documentation/plugin.mjs";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -24,24 +24,6 @@ function stylesInElement(): Plugin {
     transform(code, id) {
       if (!/\/www\/src\/style\/[^/]+\.css$/.test(id) || ofThePage.test(id)) return null;
       return { code: `:where(mo-copp-playground, .mo-copp-part) {\n${code}\n}\n`, map: null };
-    },
-  };
-}
-
-/** What the page's footer leads to. */
-function documentation(): Plugin {
-  const files = {
-    "docs/documents.txt": "docs/documents.md",
-    "docs/embedding.txt": "docs/embedding.md",
-    "docs/LICENSE-MIT.txt": "LICENSE-MIT",
-    "docs/LICENSE-APACHE.txt": "LICENSE-APACHE",
-  };
-  return {
-    name: "documentation",
-    generateBundle() {
-      for (const [fileName, source] of Object.entries(files)) {
-        this.emitFile({ type: "asset", fileName, source: readFileSync(here(source), "utf8") });
-      }
     },
   };
 }
