@@ -25,6 +25,7 @@ pub mod layered;
 pub mod layers;
 pub mod lengths;
 mod pairs;
+pub mod prospects;
 
 use std::sync::Arc;
 
