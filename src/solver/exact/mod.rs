@@ -26,6 +26,7 @@ pub mod layers;
 pub mod lengths;
 mod pairs;
 pub mod prospects;
+mod way;
 
 use std::sync::Arc;
 

@@ -73,7 +73,7 @@ enum Stage {
     Preparing(Box<Ground>, usize),
     Passes(Box<Passes>),
     /// The passes wait, who may go on where this leads nowhere.
-    Prospects(Box<Prospects>, Box<Passes>),
+    Prospects(Box<Prospects>, Option<Box<Passes>>),
     /// Too large for tables, or led nowhere; with the best plan found until then.
     Plain(Box<dyn Engine>, Option<(SurvivorCounts, Plan)>),
 }
@@ -132,15 +132,16 @@ impl Guided {
         }
         passes.tried = true;
         self.stage = match Prospects::new(&self.problem, &self.options, true) {
-            Ok(Some(prospects)) => Stage::Prospects(Box::new(prospects), passes),
+            Ok(Some(prospects)) => Stage::Prospects(Box::new(prospects), Some(passes)),
             // Short of memory, the passes may need less.
             Ok(None) | Err(_) => Stage::Passes(passes),
         };
     }
 
-    fn back_to_passes(&mut self) {
+    fn give_up_prospects(&mut self) {
         self.stage = match std::mem::replace(&mut self.stage, Stage::New) {
-            Stage::Prospects(_, passes) => Stage::Passes(passes),
+            Stage::Prospects(_, Some(passes)) => Stage::Passes(passes),
+            Stage::Prospects(_, None) => self.plain(None),
             other => other,
         };
     }
@@ -149,7 +150,12 @@ impl Guided {
         let mut joint = JointSpace::new(Arc::clone(&self.problem), self.options.limits);
         let bounds = self.options.heeded_bounds();
         let Some(estimates) = Estimates::new(&mut joint, &bounds)? else {
-            return Ok(self.plain(None));
+            let prospects = match self.horizon {
+                None => Prospects::new(&self.problem, &self.options, true).ok().flatten(),
+                Some(_) => None,
+            };
+            let prospects = prospects.map(|prospects| Stage::Prospects(Box::new(prospects), None));
+            return Ok(prospects.unwrap_or_else(|| self.plain(None)));
         };
         let live = Live::new(&mut joint)?;
         let ground = Ground::new(joint, bounds, live, estimates, self.horizon)?;
@@ -277,7 +283,7 @@ impl Engine for Guided {
                     return Ok(Advance::Finished(Finding::plan(Status::Optimal, plan)));
                 }
                 Ok(Verdict::Infeasible) => return Ok(Advance::Finished(Finding::infeasible())),
-                Ok(Verdict::Unknown) | Err(_) => self.back_to_passes(),
+                Ok(Verdict::Unknown) | Err(_) => self.give_up_prospects(),
             },
         }
         Ok(Advance::Working)
@@ -296,7 +302,10 @@ impl Engine for Guided {
                 return finding;
             }
             Stage::Preparing(ground, _) => ground,
-            Stage::Passes(passes) | Stage::Prospects(_, passes) => &mut passes.ground,
+            Stage::Prospects(prospects, None) => {
+                return Finding::stopped(prospects.stop(), limit);
+            }
+            Stage::Passes(passes) | Stage::Prospects(_, Some(passes)) => &mut passes.ground,
         };
         if ground.best.is_none() {
             let mut room = STATES_ON_STOP;
@@ -319,7 +328,8 @@ impl Engine for Guided {
                 best.as_ref()
             }
             Stage::Preparing(ground, _) => ground.best.as_ref(),
-            Stage::Passes(passes) | Stage::Prospects(_, passes) => {
+            Stage::Prospects(_, None) => None,
+            Stage::Passes(passes) | Stage::Prospects(_, Some(passes)) => {
                 let most = problem.goals().len() as f64 - 1.0;
                 progress.bound = passes.bound().map(|value| value as f64 / most);
                 passes.ground.best.as_ref()
@@ -336,7 +346,8 @@ impl Engine for Guided {
             Stage::New => return Stats::default(),
             Stage::Plain(engine, _) => return engine.stats(),
             Stage::Preparing(ground, _) => ground,
-            Stage::Passes(passes) | Stage::Prospects(_, passes) => &passes.ground,
+            Stage::Prospects(prospects, None) => return prospects.stats(),
+            Stage::Passes(passes) | Stage::Prospects(_, Some(passes)) => &passes.ground,
         };
         let mut stats = Stats {
             expansions: ground.visits,

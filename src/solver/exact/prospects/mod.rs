@@ -15,10 +15,13 @@
 mod hope;
 mod pass;
 mod tables;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::way::shortest_way;
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, Role};
@@ -62,6 +65,7 @@ pub(in crate::solver) struct Prospects {
     tables: Tables,
     /// Whether the best plan is asked for, or any that keeps the bounds.
     best: bool,
+    bounds: Bounds,
     /// What is left to look at, the best last.
     groups: Vec<Vec<Hope>>,
     /// Hopes for one observer alone, and whether they can be fulfilled.
@@ -71,7 +75,6 @@ pub(in crate::solver) struct Prospects {
     shortest: Option<Plan>,
     expansions: u64,
     generated: u64,
-    begun: u64,
 }
 
 /// The enemy and the friend, where there is one of each and only what can be hoped for is named.
@@ -125,13 +128,13 @@ impl Prospects {
             live,
             tables,
             best,
+            bounds,
             groups,
             alone: BTreeMap::new(),
             pass: None,
             shortest: None,
             expansions: 0,
             generated: 0,
-            begun: 0,
         }))
     }
 
@@ -253,6 +256,12 @@ impl Prospects {
             }
         }
         Ok(Verdict::Working)
+    }
+
+    /// A plan for who stops here, where there is one at hand.
+    pub(in crate::solver) fn stop(&mut self) -> Option<Plan> {
+        let known = self.shortest.take();
+        known.or_else(|| shortest_way(&mut self.joint, &self.live, &self.bounds))
     }
 
     /// What the work took so far.
