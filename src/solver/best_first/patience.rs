@@ -15,8 +15,9 @@ use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::exact::prospects::{Prospects, Verdict};
 use crate::solver::outcome::{Progress, Stats, Status};
 
-/// Few searches that find a plan at all expand more nodes in a small state space.
-const EXPANSIONS: u64 = 256;
+/// Few searches that find a plan at all expand more nodes in a small state space, and the tables of
+/// prospects cost more than so many.
+const EXPANSIONS: u64 = 2_000;
 
 /// A search, and what takes its turn.
 pub(in crate::solver) struct Patient<E> {
