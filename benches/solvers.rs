@@ -10,6 +10,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use mo_copp::domain::generate::Domain;
 use mo_copp::domain::gridworld::GridworldShape;
 use mo_copp::problem::Problem;
 use mo_copp::solver::remedy::RemedyRun;
@@ -171,4 +172,49 @@ fn main() {
     line("search, 8x8, k = 3, j = 1", "no plan in 1 s", 5, &strict);
     let baseline = with(&eight, &|_| options(Solver::Baseline, Horizon::Auto));
     line("baseline, 8x8", "-", 21, &baseline);
+
+    experiments();
+}
+
+/// What the paper's experiments ask, on the problems of seeds 1 to 30 of each domain.
+fn experiments() {
+    let drawn = |name: &str| {
+        let domain = Domain::named(name).expect("a domain of the paper");
+        let problem = |seed| {
+            let document = domain.draw(seed).expect("the default size can be drawn").document;
+            Arc::new(document.problem().expect("a drawn document is well-formed"))
+        };
+        (1..=30).map(problem).collect::<Vec<_>>()
+    };
+    let bounded = |problem: &Arc<Problem>, most: usize| {
+        let mut search = options(Solver::Search, Horizon::Any);
+        (search.bounds.at_least, search.bounds.at_most) = (Some(most), Some(most));
+        (Arc::clone(problem), search)
+    };
+    let (mut flow, mut search) = (Vec::new(), Vec::new());
+    for (name, steps) in [("gridworld", 12), ("box-pushing", 12), ("recycling-robot", 10)] {
+        for problem in drawn(name) {
+            let asked = Options { horizon_step: 2, ..options(Solver::Ip, Horizon::Steps(steps)) };
+            search.push(bounded(&problem, 2));
+            flow.push((problem, asked));
+        }
+    }
+    line("belief-flow, 3 small domains", "median 0.1 s, worst 5 s", 1, &flow);
+    line("search, 3 small domains, k = j = 2", "median 50 ms", 1, &search);
+    let boxes: Vec<_> = drawn("box-pushing")
+        .into_iter()
+        .map(|problem| (problem, options(Solver::Exact, Horizon::Any)))
+        .collect();
+    line("exact, box-pushing, all horizons", "proved", 1, &boxes);
+    for name in ["blocksworld", "logistics", "driverlog"] {
+        let problems = drawn(name);
+        let search: Vec<_> = problems.iter().map(|problem| bounded(problem, 3)).collect();
+        line(&format!("search, {name}, k = j = 3"), "median 1 s, worst 60 s", 1, &search);
+        if name == "blocksworld" {
+            let twelve = options(Solver::Exact, Horizon::Steps(12));
+            let exact: Vec<_> =
+                problems.into_iter().map(|problem| (problem, twelve.clone())).collect();
+            line("exact, blocksworld, T = 12", "worst 10 s", 1, &exact);
+        }
+    }
 }

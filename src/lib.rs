@@ -8,6 +8,10 @@
 //! The model is MO-COPP of A. Kulkarni, S. Srivastava and S. Kambhampati, "Signaling Friends and
 //! Head-Faking Enemies Simultaneously: Balancing Goal Obfuscation and Goal Legibility" (2020).
 
+/// Tests inside share helpers with those in `tests/`, who know the crate by its name.
+#[cfg(test)]
+extern crate self as mo_copp;
+
 pub mod belief;
 #[cfg(target_arch = "wasm32")]
 pub mod bindings;

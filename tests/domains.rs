@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
+use mo_copp::domain::box_pushing::{BoxPushing, BoxPushingShape};
 use mo_copp::domain::delivery::DeliveryShape;
 use mo_copp::domain::gridworld::GridworldShape;
+use mo_copp::domain::recycling_robot::{RecyclingRobot, RecyclingRobotShape};
 use mo_copp::domain::{Delivery, Gridworld};
-use mo_copp::solver::Solver;
+use mo_copp::solver::{Options, Solver, Status};
 
-use crate::common::{Dice, Judge, Wish, delivery, gridworld, random};
+use crate::common::check::solve;
+use crate::common::{Dice, Judge, Wish, box_pushing, delivery, gridworld, random, recycling_robot};
 use crate::{exact, integer_programs, search};
 
 fn of_grid(grid: &Gridworld) -> Judge {
@@ -16,6 +19,14 @@ fn of_grid(grid: &Gridworld) -> Judge {
 
 fn of_delivery(delivery: &Delivery) -> Judge {
     Judge::of(delivery::table(delivery), Arc::new(delivery.problem().unwrap()))
+}
+
+fn of_box(document: &BoxPushing) -> Judge {
+    Judge::of(box_pushing::table(document), Arc::new(document.problem().unwrap()))
+}
+
+fn of_robot(document: &RecyclingRobot) -> Judge {
+    Judge::of(recycling_robot::table(document), Arc::new(document.problem().unwrap()))
 }
 
 fn agree(dice: &mut Dice, judge: &Judge) {
@@ -45,6 +56,68 @@ fn deliveries_agree_with_the_oracles() {
         let judge = of_delivery(&delivery::random(&mut dice));
         agree(&mut dice, &judge);
     }
+}
+
+#[test]
+fn box_pushing_agrees_with_the_oracles() {
+    let mut dice = Dice::new(46);
+    let mut solvable = 0;
+    for _ in 0..200 {
+        let judge = of_box(&box_pushing::random(&mut dice));
+        solvable += usize::from(!judge.endings().is_empty());
+        agree(&mut dice, &judge);
+    }
+    assert!((60..190).contains(&solvable), "{solvable} solvable");
+}
+
+#[test]
+fn recycling_robots_agree_with_the_oracles() {
+    let mut dice = Dice::new(47);
+    let mut solvable = 0;
+    for _ in 0..200 {
+        let judge = of_robot(&recycling_robot::random(&mut dice));
+        solvable += usize::from(!judge.endings().is_empty());
+        agree(&mut dice, &judge);
+    }
+    assert!((60..190).contains(&solvable), "{solvable} solvable");
+}
+
+#[test]
+fn both_encodings_agree_on_boxes_and_robots() {
+    let mut dice = Dice::new(48);
+    let mut feasible = 0;
+    for number in 0..120 {
+        let judge = if number % 2 == 0 {
+            of_box(&box_pushing::random(&mut dice))
+        } else {
+            of_robot(&recycling_robot::random(&mut dice))
+        };
+        let wish = random::wish(&mut dice, &judge.table);
+        let horizon = dice.below(4);
+        let found = integer_programs::equal_enumeration(&judge, horizon, &wish);
+        feasible += usize::from(found);
+    }
+    assert!((10..110).contains(&feasible), "{feasible} feasible");
+}
+
+/// Of the paper's size. How often they are drawn again is what `docs/domains.md` says.
+#[test]
+fn thirty_problems_of_each_small_domain_are_solvable() {
+    let mut redraws = [0; 3];
+    for seed in 1..=30 {
+        redraws[0] += GridworldShape::default().generate(seed).unwrap().redraws;
+        let boxes = BoxPushingShape::default().generate(seed).unwrap();
+        let robots = RecyclingRobotShape::default().generate(seed).unwrap();
+        for problem in [boxes.document.problem().unwrap(), robots.document.problem().unwrap()] {
+            let problem = Arc::new(problem);
+            assert_eq!(problem.goals().len(), 3);
+            let outcome = solve(&problem, &Options::new(Solver::Baseline));
+            assert_eq!(outcome.status, Status::Solved, "seed {seed}");
+        }
+        redraws[1] += boxes.redraws;
+        redraws[2] += robots.redraws;
+    }
+    assert_eq!(redraws, [38, 44, 14]);
 }
 
 #[test]

@@ -146,6 +146,11 @@ impl JointSpace {
         ProfileId(self.profiles.intern(&self.scratch))
     }
 
+    /// The number of the belief of one observer with these states, all met before.
+    pub(crate) fn intern_belief(&mut self, observer: usize, states: Vec<StateId>) -> BeliefId {
+        self.beliefs[observer].intern(states)
+    }
+
     /// The belief of one observer in a profile.
     pub fn belief(&self, profile: ProfileId, observer: usize) -> BeliefId {
         BeliefId(self.profiles.get(profile.0)[observer])

@@ -9,7 +9,7 @@ use crate::limits::LimitReached;
 use crate::problem::Problem;
 use crate::trace::{Achievement, validate};
 
-use super::best_first::{baseline, search};
+use super::best_first::{baseline, patience, search};
 use super::engine::{Advance, Engine, Finding};
 use super::exact::{self, lengths};
 use super::outcome::{LengthPoint, Outcome, Progress, Stats, Status};
@@ -119,7 +119,11 @@ impl Run {
                 Box::new(baseline::engine(problem.task(), options.limits, horizon))
             }
             (Solver::Search | Solver::Obfuscate | Solver::Legible, horizon) => {
-                Box::new(search::engine(problem, options, horizon))
+                let search = search::engine(Arc::clone(&problem), options, horizon);
+                match horizon {
+                    Some(_) => Box::new(search),
+                    None => Box::new(patience::Patient::new(problem, options, search)),
+                }
             }
         })
     }

@@ -2,13 +2,16 @@
 //! nothing with the crate, and generators.
 
 pub mod atoms;
+pub mod box_pushing;
 pub mod check;
 pub mod delivery;
 pub mod dice;
+pub mod floor;
 pub mod gridworld;
 pub mod oracle;
 pub mod printed;
 pub mod random;
+pub mod recycling_robot;
 pub mod strips;
 pub mod table;
 

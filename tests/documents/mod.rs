@@ -1,11 +1,14 @@
 //! Bad documents, each with the exact message: the place, what was found, what was expected.
 
+mod boxes;
 mod delivery;
+mod examples;
 mod explicit;
 mod fuzz;
 mod gridworld;
 mod json;
 pub mod pddl;
+mod robots;
 mod round_trip;
 
 pub use delivery::DELIVERY;
@@ -14,6 +17,14 @@ pub use gridworld::GRIDWORLD;
 
 use mo_copp::domain::Document;
 use serde_json::Value;
+
+/// The example of a format in the documentation.
+pub fn documented(format: &str) -> &'static str {
+    let page = include_str!("../../docs/documents.md");
+    let examples = page.split("```json\n").skip(1);
+    let mut examples = examples.map(|rest| rest.split("```").next().unwrap());
+    examples.find(|text| text.contains(&format!("\"format\": \"{format}\""))).unwrap()
+}
 
 /// Reads a document and makes its problem.
 fn message(text: &str) -> String {

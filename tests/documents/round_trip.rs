@@ -9,9 +9,9 @@ use mo_copp::domain::{Delivery, Document};
 use super::delivery::DELIVERY;
 use super::explicit::EXPLICIT;
 use super::gridworld::GRIDWORLD;
-use super::pddl;
+use super::{documented, pddl};
 use crate::common::random::{self, MEDIUM, PAIR};
-use crate::common::{Dice, delivery, gridworld};
+use crate::common::{Dice, box_pushing, delivery, gridworld, recycling_robot};
 
 fn returns(document: &Document) {
     let text = document.to_json();
@@ -23,13 +23,22 @@ fn returns(document: &Document) {
 #[test]
 fn every_kind_of_document_returns() {
     let mut dice = Dice::new(60);
-    for text in [GRIDWORLD, EXPLICIT, DELIVERY, pddl::example()] {
+    for text in [
+        GRIDWORLD,
+        EXPLICIT,
+        DELIVERY,
+        pddl::example(),
+        documented("box-pushing"),
+        documented("recycling-robot"),
+    ] {
         returns(&Document::parse(text).unwrap());
     }
     assert_eq!(Document::parse(DELIVERY).unwrap(), Document::Delivery(Delivery::figure_1()));
     for seed in 0..300 {
         returns(&Document::Gridworld(gridworld::random(&mut dice, 5)));
         returns(&Document::Delivery(delivery::random(&mut dice)));
+        returns(&Document::BoxPushing(box_pushing::random(&mut dice)));
+        returns(&Document::RecyclingRobot(recycling_robot::random(&mut dice)));
         let table = random::table(&mut dice, MEDIUM, &PAIR);
         returns(&Document::parse(&table.document()).unwrap());
         let shape = GridworldShape { walls: 5, ..GridworldShape::default() };

@@ -78,6 +78,21 @@ fn cases() -> Vec<Value> {
         let options = options(horizon, false);
         cases.push(replay::case(&name, Some((format, seed)), &document, &options));
     }
+    for (format, seed, horizon) in [("small box-pushing", 1, 8), ("small recycling-robot", 2, 7)] {
+        let document = replay::draw(format, seed).to_json();
+        let name = format!("{format} {seed}");
+        let options = options(horizon, false);
+        cases.push(replay::case(&name, Some((format, seed)), &document, &options));
+    }
+    // One with a plan that the search alone does not find, and one without any.
+    let bounded = [json!({"solver": "search", "k": 2, "j": 2}), json!({"solver": "baseline"})];
+    for (format, seed) in
+        [("box-pushing", 5), ("box-pushing", 10), ("box-pushing", 15), ("recycling-robot", 3)]
+    {
+        let document = replay::draw(format, seed).to_json();
+        let name = format!("{format} {seed}");
+        cases.push(replay::case(&name, Some((format, seed)), &document, &bounded));
+    }
     let larger = [
         json!({"solver": "search", "k": 3, "j": 3}),
         json!({"solver": "search", "k": 4, "j": 1}),

@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use mo_copp::domain::box_pushing::BoxPushingShape;
 use mo_copp::domain::delivery::DeliveryShape;
 use mo_copp::domain::generate::Domain;
 use mo_copp::domain::gridworld::GridworldShape;
 use mo_copp::domain::pddl::generate::{BlocksworldShape, DriverlogShape};
+use mo_copp::domain::recycling_robot::RecyclingRobotShape;
 use mo_copp::domain::{Delivery, Document, Gridworld};
 use mo_copp::report::{SolveReport, read_options};
 use mo_copp::solver::Run;
@@ -27,6 +29,21 @@ pub fn draw(format: &str, seed: u64) -> Document {
             grid(shape.generate(seed).unwrap().document)
         }
         "delivery" => delivery(DeliveryShape::default().generate(seed).unwrap().document),
+        "small box-pushing" => {
+            let shape = BoxPushingShape { width: 3, height: 3, goals: 3, walls: 0, belief: 2 };
+            shape.generate(seed).unwrap().document.into()
+        }
+        "small recycling-robot" => {
+            let shape = RecyclingRobotShape {
+                width: 2,
+                height: 3,
+                goals: 3,
+                walls: 0,
+                belief: 2,
+                battery_levels: 3,
+            };
+            shape.generate(seed).unwrap().document.into()
+        }
         "small blocksworld" => {
             BlocksworldShape { blocks: 3, goals: 3 }.generate(seed).unwrap().document.into()
         }
@@ -34,7 +51,7 @@ pub fn draw(format: &str, seed: u64) -> Document {
             let shape = DriverlogShape { places: 3, drivers: 1, trucks: 1, packages: 1, goals: 4 };
             shape.generate(seed).unwrap().document.into()
         }
-        "blocksworld" | "logistics" | "driverlog" => {
+        "blocksworld" | "logistics" | "driverlog" | "box-pushing" | "recycling-robot" => {
             Domain::named(format).unwrap().draw(seed).unwrap().document
         }
         _ => panic!("{format}"),

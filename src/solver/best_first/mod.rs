@@ -7,10 +7,12 @@
 //! - [`search`] searches states with beliefs for a plan that keeps the bounds (Algorithm 1), also
 //!   with one of the bounds alone (obfuscate, legible),
 //! - [`sketches`] is as much of the beliefs as the search has to see,
+//! - [`patience`] is that search with an end to its patience, where other means say more,
 //! - [`approximation`] picks the approximate beliefs by which Algorithm 1 tells nodes apart.
 
 pub mod approximation;
 pub mod baseline;
 pub mod engine;
+pub mod patience;
 pub mod search;
 pub mod sketches;

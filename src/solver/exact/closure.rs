@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::pairs::Pairs;
+use super::way::shortest_way;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Node, Problem};
 use crate::solver::engine::{Advance, Engine, Finding};
@@ -118,7 +119,8 @@ impl Engine for Closure {
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
         let best = self.pairs.best().map(|(_, index)| self.tree.plan(index));
-        Finding::stopped(best, limit)
+        let way = || shortest_way(&mut self.joint, self.live.as_ref()?, &self.bounds);
+        Finding::stopped(best.or_else(way), limit)
     }
 
     fn report(&self, progress: &mut Progress) {

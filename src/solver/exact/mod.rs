@@ -6,6 +6,8 @@
 //!
 //! - [`guided`] looks for the best plan alone, led by bounds on what each observer can still believe,
 //!   in state spaces that are small enough for tables over pairs of states,
+//! - [`prospects`] look for the best plan of any length where that takes long: beliefs are told apart
+//!   only by what can still become of them,
 //! - [`layers`] goes through them step by step, for plans of exactly T actions,
 //! - [`closure`] goes through them breadth first until there are no new ones, for plans of all
 //!   lengths,
@@ -14,7 +16,7 @@
 //!
 //! Nothing is looked at that cannot reach the true goal any more.
 //!
-//! All but the first find every reachable pair of survivor counts, which is more than the Pareto set
+//! All but the first two find every reachable pair of survivor counts, which is more than the Pareto set
 //! the paper names and leaves out.
 
 pub mod closure;
@@ -25,6 +27,8 @@ pub mod layered;
 pub mod layers;
 pub mod lengths;
 mod pairs;
+pub mod prospects;
+mod way;
 
 use std::sync::Arc;
 

@@ -18,7 +18,7 @@ const MOST_STEPS: usize = UNKNOWN as usize - 1;
 
 /// The least steps after which the plan may end with the goal dead.
 #[derive(Debug)]
-pub(super) struct Doubts {
+pub(in crate::solver::exact) struct Doubts {
     states: usize,
     /// By pair, counted from 1: the place of its steps. 0 for pairs of which the other state cannot
     /// be led to the goal anyhow.
@@ -43,7 +43,7 @@ impl Queue {
 impl Doubts {
     /// Works out all pairs. `twins` is complete and for the same goal; `is_goal` is about the true
     /// goal, `is_other` about the goal that should die.
-    pub(super) fn new(
+    pub(in crate::solver::exact) fn new(
         seen: &Steps,
         twins: &Twins,
         live: &Live,
@@ -122,7 +122,12 @@ impl Doubts {
 
     /// The most steps of any believed state. `distance` is that of the actor's state to the true
     /// goal.
-    pub(super) fn most(&self, state: StateId, believed: &[StateId], distance: u32) -> u32 {
+    pub(in crate::solver::exact) fn most(
+        &self,
+        state: StateId,
+        believed: &[StateId],
+        distance: u32,
+    ) -> u32 {
         let row = &self.places[state.index() * self.states..][..self.states];
         let mut most = distance;
         for other in believed {
@@ -136,8 +141,13 @@ impl Doubts {
         most
     }
 
+    /// Whether the other state can be led to the goal while the actor goes to the true one.
+    pub(in crate::solver::exact) fn leads(&self, state: StateId, other: StateId) -> bool {
+        self.places[state.index() * self.states + other.index()] != 0
+    }
+
     /// Bytes in use, counted by contents.
-    pub(super) fn bytes(&self) -> u64 {
+    pub(in crate::solver::exact) fn bytes(&self) -> u64 {
         4 * self.places.len() as u64 + 2 * self.steps.len() as u64
     }
 }

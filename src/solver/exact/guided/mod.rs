@@ -15,19 +15,20 @@
 //! are tried in between, so that there is a good plan early; the passes above then go on until each
 //! has found one or come to its end.
 //!
-//! Where the bounds say too little, the passes go through many nodes more than there are to tell
+//! Where passes over plans of all lengths take long, [`prospects`](super::prospects) have a go, who
+//! tell fewer nodes apart. Where the bounds say too little, and they too, the passes go through many nodes more than there are to tell
 //! apart; after `MOST_VISITS` the plain engine takes over, and the best plan found is kept.
 //!
 //! State spaces with too many pairs, and searches for all pairs of survivor counts, are left to
 //! [`layers`](super::layers) and [`closure`](super::closure).
 
 mod classes;
-mod doubts;
+pub(super) mod doubts;
 mod estimates;
 mod ground;
 mod pass;
-mod steps;
-mod twins;
+pub(super) mod steps;
+pub(super) mod twins;
 
 use std::sync::Arc;
 
@@ -36,6 +37,7 @@ use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, SurvivorCounts};
 use crate::solver::Options;
 use crate::solver::engine::{Advance, Engine, Finding};
+use crate::solver::exact::prospects::{Prospects, Verdict};
 use crate::solver::live::Live;
 use crate::solver::outcome::{Progress, Stats, Status};
 use estimates::{Aim, Estimates};
@@ -49,6 +51,9 @@ const FIRST_TURN: u64 = 2_000;
 /// More visits than small problems need; then the bounds do not help, and going through all nodes is
 /// the better way.
 const MOST_VISITS: u64 = 500_000;
+
+/// Most problems are solved in fewer visits, and the tables of prospects cost more.
+const VISITS_BEFORE_PROSPECTS: u64 = 5_000;
 
 /// When stopped without a plan, the shortest way is followed to the goal as long as no more believed
 /// states have been gone through: who stops does not want to wait.
@@ -67,6 +72,8 @@ enum Stage {
     /// So many tables know what they say of the first node.
     Preparing(Box<Ground>, usize),
     Passes(Box<Passes>),
+    /// The passes wait, who may go on where this leads nowhere.
+    Prospects(Box<Prospects>, Option<Box<Passes>>),
     /// Too large for tables, or led nowhere; with the best plan found until then.
     Plain(Box<dyn Engine>, Option<(SurvivorCounts, Plan)>),
 }
@@ -84,6 +91,8 @@ struct Passes {
     next_value: Option<i64>,
     /// The best plan of a pass that is done, with what it aimed at.
     solved: Option<(i64, Plan)>,
+    /// Whether prospects had their go.
+    tried: bool,
 }
 
 /// Shown without the engine, whose insides would weigh heavily in the wasm file.
@@ -107,11 +116,46 @@ impl Guided {
         Stage::Plain(super::plain(problem, &self.options, self.horizon), best)
     }
 
+    /// The passes have gone on for long: prospects have a go, or in the end the plain engine.
+    fn change_means(&mut self) {
+        let Stage::Passes(mut passes) = std::mem::replace(&mut self.stage, Stage::New) else {
+            return;
+        };
+        if passes.tried {
+            let mut room = STATES_ON_STOP;
+            if passes.ground.best.is_none() {
+                // Short of memory, there is no plan to show.
+                let _ = passes.ground.follow_shortest(self.horizon, &mut room);
+            }
+            self.stage = self.plain(passes.ground.best.take());
+            return;
+        }
+        passes.tried = true;
+        self.stage = match Prospects::new(&self.problem, &self.options, true) {
+            Ok(Some(prospects)) => Stage::Prospects(Box::new(prospects), Some(passes)),
+            // Short of memory, the passes may need less.
+            Ok(None) | Err(_) => Stage::Passes(passes),
+        };
+    }
+
+    fn give_up_prospects(&mut self) {
+        self.stage = match std::mem::replace(&mut self.stage, Stage::New) {
+            Stage::Prospects(_, Some(passes)) => Stage::Passes(passes),
+            Stage::Prospects(_, None) => self.plain(None),
+            other => other,
+        };
+    }
+
     fn prepare(&self) -> Result<Stage, LimitReached> {
         let mut joint = JointSpace::new(Arc::clone(&self.problem), self.options.limits);
         let bounds = self.options.heeded_bounds();
         let Some(estimates) = Estimates::new(&mut joint, &bounds)? else {
-            return Ok(self.plain(None));
+            let prospects = match self.horizon {
+                None => Prospects::new(&self.problem, &self.options, true).ok().flatten(),
+                Some(_) => None,
+            };
+            let prospects = prospects.map(|prospects| Stage::Prospects(Box::new(prospects), None));
+            return Ok(prospects.unwrap_or_else(|| self.plain(None)));
         };
         let live = Live::new(&mut joint)?;
         let ground = Ground::new(joint, bounds, live, estimates, self.horizon)?;
@@ -129,6 +173,7 @@ impl Passes {
             at_work: 0,
             next_value: Some(most),
             solved: None,
+            tried: horizon.is_some(),
         }
     }
 
@@ -223,15 +268,23 @@ impl Engine for Guided {
                 }
             }
             Stage::Passes(passes) => {
-                let left = MOST_VISITS - passes.ground.visits.min(MOST_VISITS);
+                let most = if passes.tried { MOST_VISITS } else { VISITS_BEFORE_PROSPECTS };
+                let left = most - passes.ground.visits.min(most);
                 if passes.advance(budget.min(left))? {
                     return Ok(Advance::Finished(passes.finding()));
                 }
-                if passes.ground.visits >= MOST_VISITS {
-                    let best = passes.ground.best.take();
-                    self.stage = self.plain(best);
+                if passes.ground.visits >= most {
+                    self.change_means();
                 }
             }
+            Stage::Prospects(prospects, _) => match prospects.advance(budget) {
+                Ok(Verdict::Working) => {}
+                Ok(Verdict::Plan(plan)) => {
+                    return Ok(Advance::Finished(Finding::plan(Status::Optimal, plan)));
+                }
+                Ok(Verdict::Infeasible) => return Ok(Advance::Finished(Finding::infeasible())),
+                Ok(Verdict::Unknown) | Err(_) => self.give_up_prospects(),
+            },
         }
         Ok(Advance::Working)
     }
@@ -249,7 +302,10 @@ impl Engine for Guided {
                 return finding;
             }
             Stage::Preparing(ground, _) => ground,
-            Stage::Passes(passes) => &mut passes.ground,
+            Stage::Prospects(prospects, None) => {
+                return Finding::stopped(prospects.stop(), limit);
+            }
+            Stage::Passes(passes) | Stage::Prospects(_, Some(passes)) => &mut passes.ground,
         };
         if ground.best.is_none() {
             let mut room = STATES_ON_STOP;
@@ -272,7 +328,8 @@ impl Engine for Guided {
                 best.as_ref()
             }
             Stage::Preparing(ground, _) => ground.best.as_ref(),
-            Stage::Passes(passes) => {
+            Stage::Prospects(_, None) => None,
+            Stage::Passes(passes) | Stage::Prospects(_, Some(passes)) => {
                 let most = problem.goals().len() as f64 - 1.0;
                 progress.bound = passes.bound().map(|value| value as f64 / most);
                 passes.ground.best.as_ref()
@@ -289,7 +346,8 @@ impl Engine for Guided {
             Stage::New => return Stats::default(),
             Stage::Plain(engine, _) => return engine.stats(),
             Stage::Preparing(ground, _) => ground,
-            Stage::Passes(passes) => &passes.ground,
+            Stage::Prospects(prospects, None) => return prospects.stats(),
+            Stage::Passes(passes) | Stage::Prospects(_, Some(passes)) => &passes.ground,
         };
         let mut stats = Stats {
             expansions: ground.visits,
@@ -297,6 +355,11 @@ impl Engine for Guided {
             ..Stats::default()
         };
         stats.count_spaces(&ground.joint);
+        if let Stage::Prospects(prospects, _) = &self.stage {
+            let more = prospects.stats();
+            stats.add_work(&more);
+            stats.beliefs = stats.beliefs.max(more.beliefs);
+        }
         stats
     }
 }

@@ -5,7 +5,7 @@ use crate::task::StateId;
 
 /// One transition, seen from the state on one side of it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Step {
+pub(in crate::solver::exact) struct Step {
     /// The state on the other side.
     pub state: u32,
     /// Its place among the transitions out of the state it begins in.
@@ -14,7 +14,7 @@ pub(super) struct Step {
 
 /// Transitions of one state that look the same.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Group {
+pub(in crate::solver::exact) struct Group {
     pub symbol: u32,
     begin: u32,
     end: u32,
@@ -22,7 +22,7 @@ pub(super) struct Group {
 
 /// Transitions by state, those of a state by symbol.
 #[derive(Debug, Default)]
-pub(super) struct Rows {
+pub(in crate::solver::exact) struct Rows {
     /// Where the groups of each state end; the first number stands before all.
     ends: Vec<u32>,
     groups: Vec<Group>,
@@ -55,18 +55,18 @@ impl Rows {
     }
 
     /// The transitions of a state in groups, by symbol.
-    pub(super) fn of(&self, state: u32) -> &[Group] {
+    pub(in crate::solver::exact) fn of(&self, state: u32) -> &[Group] {
         let (begin, end) = (self.ends[state as usize], self.ends[state as usize + 1]);
         &self.groups[begin as usize..end as usize]
     }
 
     /// The transitions of a group.
-    pub(super) fn steps(&self, group: Group) -> &[Step] {
+    pub(in crate::solver::exact) fn steps(&self, group: Group) -> &[Step] {
         &self.steps[group.begin as usize..group.end as usize]
     }
 
     /// Those of a state with this symbol.
-    pub(super) fn with_symbol(&self, state: u32, symbol: u32) -> &[Step] {
+    pub(in crate::solver::exact) fn with_symbol(&self, state: u32, symbol: u32) -> &[Step] {
         let found = self.of(state).iter().find(|group| group.symbol == symbol);
         found.map_or(&[], |&group| self.steps(group))
     }
@@ -74,14 +74,14 @@ impl Rows {
 
 /// Transitions out of and into each state.
 #[derive(Debug)]
-pub(super) struct Steps {
-    pub(super) out: Rows,
-    pub(super) into: Rows,
+pub(in crate::solver::exact) struct Steps {
+    pub(in crate::solver::exact) out: Rows,
+    pub(in crate::solver::exact) into: Rows,
 }
 
 impl Steps {
     /// Those of a space whose states are all expanded.
-    pub(super) fn new(joint: &mut JointSpace, observer: usize) -> Self {
+    pub(in crate::solver::exact) fn new(joint: &mut JointSpace, observer: usize) -> Self {
         let states = joint.states().len();
         let mut out = Vec::with_capacity(joint.states().edge_count());
         let mut into = Vec::with_capacity(joint.states().edge_count());
@@ -98,13 +98,13 @@ impl Steps {
     }
 
     /// How many states there are.
-    pub(super) fn states(&self) -> usize {
+    pub(in crate::solver::exact) fn states(&self) -> usize {
         self.out.ends.len() - 1
     }
 
     /// How many pairs of transitions look the same: what a table over pairs of states takes to
     /// fill.
-    pub(super) fn same_looking_pairs(&self) -> u64 {
+    pub(in crate::solver::exact) fn same_looking_pairs(&self) -> u64 {
         let mut counts: Vec<u64> = Vec::new();
         for group in &self.out.groups {
             let symbol = group.symbol as usize;

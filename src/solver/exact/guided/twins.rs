@@ -12,7 +12,7 @@ use super::steps::{Step, Steps};
 use crate::task::StateId;
 
 /// There is no such plan.
-pub(super) const NEVER: u32 = u32::MAX;
+pub(in crate::solver::exact) const NEVER: u32 = u32::MAX;
 /// A pair that has not been reached.
 const UNKNOWN: u16 = u16::MAX;
 /// Beyond so many steps nothing is told apart.
@@ -20,7 +20,7 @@ const MOST_STEPS: u32 = UNKNOWN as u32 - 2;
 
 /// The least steps of all pairs, found backwards from the goals as far as is asked for.
 #[derive(Debug, Default)]
-pub(super) struct Twins {
+pub(in crate::solver::exact) struct Twins {
     states: usize,
     /// By pair: the actor's state times the number of states, plus the other state.
     least: Vec<u16>,
@@ -33,7 +33,7 @@ pub(super) struct Twins {
 
 impl Twins {
     /// Knows the pairs of a state that satisfies the true goal and one that satisfies the other.
-    pub(super) fn new(states: usize, true_goal: &[u32], goal: &[u32]) -> Self {
+    pub(in crate::solver::exact) fn new(states: usize, true_goal: &[u32], goal: &[u32]) -> Self {
         let mut twins = Self {
             states,
             least: vec![UNKNOWN; states * states],
@@ -52,17 +52,17 @@ impl Twins {
     }
 
     /// Knows that no pair that matters leads to the goals.
-    pub(super) fn hopeless() -> Self {
+    pub(in crate::solver::exact) fn hopeless() -> Self {
         Self::default()
     }
 
     /// Whether every pair that can be reached is known.
-    pub(super) fn complete(&self) -> bool {
+    pub(in crate::solver::exact) fn complete(&self) -> bool {
         self.next == self.reached.len()
     }
 
     /// Makes sure that all pairs with at most so many steps are known.
-    pub(super) fn extend(&mut self, steps: &Steps, until: u32) {
+    pub(in crate::solver::exact) fn extend(&mut self, steps: &Steps, until: u32) {
         let until = until.min(MOST_STEPS);
         while let Some(&pair) = self.reached.get(self.next) {
             let least = self.least[pair as usize];
@@ -104,7 +104,7 @@ impl Twins {
     }
 
     /// The fewest steps of any believed state, or more than are known.
-    pub(super) fn least(&self, state: StateId, believed: &[StateId]) -> u32 {
+    pub(in crate::solver::exact) fn least(&self, state: StateId, believed: &[StateId]) -> u32 {
         if self.least.is_empty() {
             return NEVER;
         }
@@ -117,13 +117,18 @@ impl Twins {
         }
     }
 
+    /// Whether the two states can be led to the goals at once, as far as is known.
+    pub(in crate::solver::exact) fn leads(&self, state: StateId, other: StateId) -> bool {
+        self.least[state.index() * self.states + other.index()] != UNKNOWN
+    }
+
     /// The pairs reached so far.
-    pub(super) fn reached(&self) -> &[u32] {
+    pub(in crate::solver::exact) fn reached(&self) -> &[u32] {
         &self.reached
     }
 
     /// Bytes in use, counted by contents.
-    pub(super) fn bytes(&self) -> u64 {
+    pub(in crate::solver::exact) fn bytes(&self) -> u64 {
         2 * self.least.len() as u64 + 4 * self.reached.len() as u64
     }
 }
