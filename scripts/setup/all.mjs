@@ -1,9 +1,9 @@
 // What each kind of work needs, in the order it is looked at.
 import { ensureChromium } from "./chromium.mjs";
-import { ensureHighs } from "./highs.mjs";
 import { ensureNode } from "./node.mjs";
 import { ensureNpmPackages } from "./npm-packages.mjs";
 import { ensureParallel } from "./parallel.mjs";
+import { ensurePythonPackages } from "./python-packages.mjs";
 import { SetupError } from "./report.mjs";
 import { ensureRust, ensureRustLinters, ensureWasmTarget } from "./rust.mjs";
 import { ensureWasmBindgen } from "./wasm-bindgen.mjs";
@@ -15,7 +15,7 @@ const wasm = [ensureRust, ensureWasmTarget, ensureNpmPackages, ensureWasmPack, e
 export const needs = {
   page: wasm,
   lint: [...wasm, ensureRustLinters],
-  rust: [ensureRust, ensureHighs, ensureParallel],
+  rust: [ensureRust, ensurePythonPackages, ensureParallel],
   wasm,
   browser: [...wasm, ensureChromium],
 };

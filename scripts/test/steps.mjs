@@ -5,13 +5,14 @@ import { buildPage } from "../lib/build-page.mjs";
 import { buildWasm } from "../lib/build-wasm.mjs";
 import { inRoot } from "../lib/paths.mjs";
 import { run } from "../lib/run.mjs";
-import { highsPython } from "../setup/highs.mjs";
+import { venvPython } from "../setup/python-packages.mjs";
 import { wasmTarget } from "../setup/rust.mjs";
 
 /** The groups of checks, and what set-up each needs. */
 export const groups = { lint: ["lint"], rust: ["rust"], wasm: ["wasm"], page: ["browser"] };
 
 const cargo = (args, env) => () => run("cargo", args, { env });
+const pythons = { MO_COPP_HIGHS_PYTHON: venvPython, MO_COPP_PYPERPLAN_PYTHON: venvPython };
 const wasmCrate = ["--target", wasmTarget, "--lib", "--test", "wasm"];
 
 /** A step: its name, the groups it is in, the steps it can't do without, and how it runs (to an exit code). */
@@ -20,7 +21,7 @@ export const steps = [
   { name: "Rust lint", groups: ["lint"], run: cargo(["clippy", "--all-targets", "--", "-D", "warnings"]) },
   { name: "Rust lint for wasm", groups: ["lint"], run: cargo(["clippy", ...wasmCrate, "--", "-D", "warnings"]) },
   { name: "Rust documentation", groups: ["lint"], run: cargo(["doc", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }) },
-  { name: "Rust tests", groups: ["rust"], run: cargo(["test"], { MO_COPP_HIGHS_PYTHON: highsPython }) },
+  { name: "Rust tests", groups: ["rust"], run: cargo(["test"], pythons) },
   // Release: a debug build of the solver can overflow the wasm stack, and it is what the page runs.
   {
     name: "wasm tests in Node",

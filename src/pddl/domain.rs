@@ -84,11 +84,15 @@ pub(super) fn define<'t>(
     kind: &str,
 ) -> Result<(String, Expressions<'t>), PddlError> {
     let expected = format!("(define ({kind} …) …)");
-    let whole = tree.only(&expected)?;
-    let (head, mut items) = whole.headed(&expected)?;
-    if !head.is("define") {
-        return Err(head.expected(&expected));
+    // What the text begins with is told before what follows too much.
+    if let Some(first) = tree.expressions().next() {
+        let (head, _) = first.headed(&expected)?;
+        if !head.is("define") {
+            return Err(head.expected(&expected));
+        }
     }
+    let whole = tree.only(&expected)?;
+    let (_, mut items) = whole.headed(&expected)?;
     let expected = format!("({kind} …)");
     let Some(title) = items.next() else {
         return Err(whole.expected(&expected));

@@ -1,7 +1,8 @@
 //! S-expressions with positions.
 //!
 //! A text becomes a flat list of nodes in the order in which they stand, so that neither reading nor
-//! dropping it recurses and a node takes 8 bytes. Comments run from `;` to the end of the line.
+//! dropping it recurses and a node takes 8 bytes. Comments run from `;` to the end of the line. A dash
+//! before a letter, as in `?x -block`, is a symbol of its own: no name begins with one.
 
 use super::error::{PddlError, place, quoted};
 
@@ -77,6 +78,9 @@ impl<'a> Tree<'a> {
                 },
                 b';' => at += bytes[at..].iter().take_while(|&&byte| byte != b'\n').count(),
                 _ if byte.is_ascii_whitespace() => {}
+                b'-' if bytes.get(at).is_some_and(u8::is_ascii_alphabetic) => {
+                    nodes.push(Node { start: start as u32, end: at as u32 });
+                }
                 _ => {
                     let more = |byte: &&u8| {
                         !matches!(**byte, b'(' | b')' | b';') && !byte.is_ascii_whitespace()
@@ -253,6 +257,7 @@ mod tests {
     fn lists_symbols_and_comments() {
         assert_eq!(shape("(a(b c)() ; d)\n e)"), "[a.[b.c.].[].e.]");
         assert_eq!(shape("x;y"), "x");
+        assert_eq!(shape("(?x -b - a-b --c -(d) -1)"), "[?x.-.b.-.a-b.--c.-.[d.].-1.]");
         assert_eq!(shape("\u{feff}(x)"), "[x.]");
     }
 

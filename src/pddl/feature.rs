@@ -6,8 +6,10 @@ use super::expression::{Expression, Expressions};
 /// What is read, for errors.
 const READ: &str = "STRIPS with :typing, :equality and :negative-preconditions";
 
-/// The requirements that are met.
-const MET: [&str; 4] = [":strips", ":typing", ":equality", ":negative-preconditions"];
+/// The requirements that are met, and one that the STRIPS tasks of PSR (IPC 2004) declare without a
+/// `:derived`, which is refused where it stands.
+const MET: [&str; 5] =
+    [":strips", ":typing", ":equality", ":negative-preconditions", ":derived-predicates"];
 
 /// Names the feature that a word of PDDL belongs to.
 const FEATURES: &[(&str, &str)] = &[

@@ -62,7 +62,7 @@ pub enum GroundError {
         limit: usize,
     },
     /// More work than allowed.
-    #[error("grounding limit reached: {limit} atoms tried against preconditions")]
+    #[error("grounding limit reached: {limit} atoms and inequalities tried against preconditions")]
     Steps {
         /// The limit.
         limit: u64,

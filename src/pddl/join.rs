@@ -13,7 +13,7 @@ use super::object::{ObjectId, Objects};
 use super::predicate::PredicateId;
 use super::rule::Rule;
 
-/// Atoms tried in all joins together, at most. Some seconds of work.
+/// Atoms and inequalities tried in all joins together, at most. Some seconds of work.
 pub const MAX_JOIN_STEPS: u64 = if cfg!(target_arch = "wasm32") { 50_000_000 } else { 400_000_000 };
 
 /// Atoms by predicate, and by predicate, place and object.
@@ -77,8 +77,12 @@ impl<'a> Join<'a> {
     /// Goes on where a precondition matches an atom.
     fn try_atom(&mut self, precondition: usize, atom: u32) -> Result<(), GroundError> {
         let mut bound = 0_u64;
-        let fits = self.bind(precondition, atom, &mut bound) && self.differ();
-        let done = if fits { self.rest() } else { Ok(()) };
+        let fits = self.bind(precondition, atom, &mut bound);
+        let done = match if fits { self.differ(bound) } else { Ok(false) } {
+            Ok(true) => self.rest(),
+            Ok(false) => Ok(()),
+            Err(limit) => Err(limit),
+        };
         while bound != 0 {
             self.values[bound.trailing_zeros() as usize] = None;
             bound &= bound - 1;
@@ -114,10 +118,21 @@ impl<'a> Join<'a> {
         }
     }
 
-    fn differ(&self) -> bool {
-        self.rule.unequal.iter().all(|&(one, other)| {
-            self.value(one).is_none_or(|one| self.value(other).is_none_or(|other| one != other))
-        })
+    /// Whether slots that have just got a value differ from what they must.
+    fn differ(&mut self, bound: u64) -> Result<bool, GroundError> {
+        let rule = self.rule;
+        let mut left = bound;
+        while left != 0 {
+            let slot = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let others = &rule.unequal[slot];
+            self.count_steps(others.len())?;
+            let value = self.values[slot];
+            if others.iter().any(|&other| self.value(other) == value) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// Whether a precondition may match an atom.
@@ -186,7 +201,7 @@ impl<'a> Join<'a> {
         self.count_steps(objects.len())?;
         for &object in objects {
             self.values[*slot as usize] = Some(object);
-            if self.differ() {
+            if self.differ(1 << *slot)? {
                 self.free(number + 1)?;
             }
         }

@@ -34,7 +34,7 @@ pub(super) fn operators(
     rules: &[Rule<'_>],
     reached: Reached,
 ) -> Result<(AtomTable, Vec<GroundOperator>), GroundError> {
-    let Reached { atoms, instances } = reached;
+    let Reached { atoms, instances, .. } = reached;
     let mut operators = Vec::with_capacity(instances.len());
     let mut literals = 0;
     let mut objects = Vec::new();

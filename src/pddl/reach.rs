@@ -8,7 +8,7 @@
 use super::atom::{Atom, LiftedAtom, Term};
 use super::atom_table::AtomTable;
 use super::domain::Domain;
-use super::ground::{GroundError, MAX_ATOMS, MAX_OPERATORS};
+use super::ground::{GroundError, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS};
 use super::join::{Found, Index, Join};
 use super::object::{ObjectId, Objects};
 use super::rule::Rule;
@@ -25,6 +25,8 @@ pub(super) struct Instance {
 pub(super) struct Reached {
     pub atoms: AtomTable,
     pub instances: Vec<Instance>,
+    /// Literals of all instances, at least.
+    literals: usize,
 }
 
 /// The object that a term of a rule stands for.
@@ -78,7 +80,7 @@ pub(super) fn reach(
     }
     let mut steps = 0;
     let mut found = Found::default();
-    let mut reached = Reached { atoms, instances: Vec::new() };
+    let mut reached = Reached { atoms, instances: Vec::new(), literals: 0 };
     for (number, rule) in rules.iter().enumerate() {
         if rule.positive.iter().all(|atom| !changes[atom.predicate.index()]) {
             let mut join = Join {
@@ -133,6 +135,11 @@ impl Reached {
     ) -> Result<(), GroundError> {
         if self.instances.len() + found.count > MAX_OPERATORS {
             return Err(GroundError::Operators { limit: MAX_OPERATORS });
+        }
+        // Each is one step of work here too.
+        self.literals += found.count * (rule.positive.len() + rule.add.len());
+        if self.literals > MAX_LITERALS_IN_ALL {
+            return Err(GroundError::Literals { limit: MAX_LITERALS_IN_ALL });
         }
         let width = rule.slots.len();
         let mut objects = Vec::new();

@@ -18,7 +18,8 @@ pub(super) struct Rule<'a> {
     pub slots: Vec<Vec<&'a TypeSet>>,
     pub positive: Vec<LiftedAtom>,
     pub negative: Vec<LiftedAtom>,
-    pub unequal: Vec<(Term, Term)>,
+    /// For each slot what it must differ from.
+    pub unequal: Vec<Vec<Term>>,
     pub add: Vec<LiftedAtom>,
     /// What is also added is left out where that can be seen here.
     pub delete: Vec<LiftedAtom>,
@@ -59,9 +60,16 @@ impl<'a> Rule<'a> {
             atoms
         };
         let unequal = schema.precondition.unequal.iter();
-        let unequal: Vec<_> = unequal.map(|(a, b)| (replace(a), replace(b))).collect();
-        if unequal.iter().any(|(one, other)| one == other) {
+        let pairs: Vec<_> = unequal.map(|(a, b)| (replace(a), replace(b))).collect();
+        if pairs.iter().any(|(one, other)| one == other) {
             return None;
+        }
+        let mut unequal = vec![Vec::new(); slots.len()];
+        for (one, other) in pairs.iter().flat_map(|&(a, b)| [(a, b), (b, a)]) {
+            // Two objects do differ, or there would be no rule.
+            if let Term::Parameter(slot) = one {
+                unequal[slot as usize].push(other);
+            }
         }
         let positive = all(&schema.precondition.positive);
         let add = all(&schema.effect.positive);

@@ -11,6 +11,9 @@ use super::expression::{Expression, Expressions};
 /// The most types of a domain.
 pub const MAX_TYPES: usize = 1024;
 
+/// The most names in a `:types` section, which may stand there several times.
+const MAX_DECLARED: usize = 4 * MAX_TYPES;
+
 /// The most types in one `(either …)`.
 pub const MAX_ALTERNATIVES: usize = 256;
 
@@ -80,12 +83,18 @@ impl Types {
     }
 
     /// Reads the typed list of a `:types` section. A type that stands only behind a dash counts as
-    /// declared.
+    /// declared. One that stands there several times, as in the Storage domain of IPC 2006, is
+    /// below everything that it was said to be below.
     pub(super) fn read(items: Expressions<'_>) -> Result<Self, PddlError> {
         let mut types = Self::untyped();
         let mut declared: Vec<Option<Expression<'_>>> = vec![None];
         let mut parents: Vec<Vec<TypeId>> = vec![Vec::new()];
-        for typed in typed_list(items)? {
+        let list = typed_list(items)?;
+        if let Some(typed) = list.get(MAX_DECLARED) {
+            let found = format!("more than {MAX_DECLARED} names of types");
+            return Err(typed.item.wrong(found, "at most that"));
+        }
+        for typed in list {
             let name = typed.item.name("a type")?;
             let id = types.number(name, typed.item, &mut declared, &mut parents)?;
             let mut above = Vec::new();
@@ -99,11 +108,12 @@ impl Types {
                 }
                 continue;
             }
-            if declared[id.index()].replace(typed.item).is_some() {
-                let found = format!("the type {} for the second time", typed.item.shown());
-                return Err(typed.item.wrong(found, "each type declared once"));
+            declared[id.index()].get_or_insert(typed.item);
+            for parent in above {
+                if !parents[id.index()].contains(&parent) {
+                    parents[id.index()].push(parent);
+                }
             }
-            parents[id.index()] = above;
         }
         types.close(&declared, &parents)?;
         Ok(types)

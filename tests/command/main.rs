@@ -9,6 +9,7 @@ mod experiment;
 mod gallery;
 mod generate;
 mod interrupt;
+mod plan;
 mod solve;
 mod trace;
 

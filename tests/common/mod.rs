@@ -19,3 +19,8 @@ pub use check::{Judge, solve};
 pub use dice::Dice;
 pub use oracle::Wish;
 pub use table::Table;
+
+/// How many inputs a fuzz test tries: `usual`, or what `MO_COPP_FUZZ_CASES` says.
+pub fn fuzz_cases(usual: u32) -> u32 {
+    std::env::var("MO_COPP_FUZZ_CASES").map_or(usual, |cases| cases.parse().unwrap())
+}

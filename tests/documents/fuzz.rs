@@ -1,4 +1,7 @@
 //! Nothing that anybody writes makes the program panic.
+//!
+//! `MO_COPP_FUZZ_CASES` is the number of inputs for each of the five tests instead of some thousands; a
+//! million in all: `MO_COPP_FUZZ_CASES=200000 cargo test --release --test native documents::fuzz`
 
 use std::sync::Arc;
 
@@ -12,6 +15,7 @@ use super::delivery::DELIVERY;
 use super::explicit::EXPLICIT;
 use super::gridworld::GRIDWORLD;
 use super::pddl;
+use crate::common::fuzz_cases;
 
 fn runner(seed: u64, cases: u32) -> TestRunner {
     let rng_seed = RngSeed::Fixed(seed);
@@ -48,7 +52,7 @@ fn base() -> impl Strategy<Value = &'static str> {
 
 #[test]
 fn random_bytes() {
-    runner(1, 5000)
+    runner(1, fuzz_cases(5_000))
         .run(&prop::collection::vec(any::<u8>(), 0..200), |bytes| {
             survives(&String::from_utf8_lossy(&bytes));
             Ok(())
@@ -80,7 +84,7 @@ fn random_pieces_of_documents() {
         " ",
         "\n",
     ]);
-    runner(2, 5000)
+    runner(2, fuzz_cases(5_000))
         .run(&prop::collection::vec(piece, 0..40), |pieces| {
             survives(&pieces.concat());
             Ok(())
@@ -93,7 +97,7 @@ fn random_pieces_of_documents() {
 fn documents_with_changed_bytes() {
     let edit = (any::<prop::sample::Index>(), 0..4_u8, any::<u8>());
     let strategy = (base(), prop::collection::vec(edit, 1..4));
-    runner(3, 15_000)
+    runner(3, fuzz_cases(15_000))
         .run(&strategy, |(base, edits)| {
             let mut bytes = base.as_bytes().to_vec();
             for (place, kind, byte) in edits {
@@ -176,7 +180,7 @@ fn documents_with_changed_values() {
     ];
     let strategy = (base(), prop::collection::vec((any::<prop::sample::Index>(), other), 1..3));
     let made = std::cell::Cell::new(0);
-    runner(4, 25_000)
+    runner(4, fuzz_cases(25_000))
         .run(&strategy, |(base, edits)| {
             let mut document: Value = serde_json::from_str(base).unwrap();
             for (place, other) in edits {
@@ -189,7 +193,7 @@ fn documents_with_changed_values() {
             Ok(())
         })
         .unwrap();
-    assert!(made.get() > 400, "{}", made.get());
+    assert!(made.get() > fuzz_cases(25_000) as usize / 100, "{}", made.get());
 }
 
 /// The texts inside of a PDDL document put together of pieces that belong there.
@@ -258,7 +262,7 @@ fn pddl_documents_with_changed_texts() {
     ];
     let strategy = (prop::sample::select(places.to_vec()), spaced);
     let made = std::cell::Cell::new(0);
-    runner(5, 25_000)
+    runner(5, fuzz_cases(25_000))
         .run(&strategy, |(place, text)| {
             let mut document: Value = serde_json::from_str(pddl::example()).unwrap();
             *document.pointer_mut(place).unwrap() = json!(text);
@@ -266,5 +270,5 @@ fn pddl_documents_with_changed_texts() {
             Ok(())
         })
         .unwrap();
-    assert!(made.get() > 400, "{}", made.get());
+    assert!(made.get() > fuzz_cases(25_000) as usize / 100, "{}", made.get());
 }

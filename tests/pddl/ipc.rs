@@ -1,16 +1,16 @@
 //! The classic tasks of the International Planning Competitions, where they are at hand: the folder
 //! that `MO_COPP_IPC` names holds a folder for each domain with `domain.pddl` and `instance-N.pddl`.
+//! How long grounding takes is a line of `cargo bench`.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use mo_copp::pddl::{Grounded, More, ground, read_domain, read_task};
 
 const FOLDER: &str = "MO_COPP_IPC";
 
 /// All tasks: the name of the domain, the number of the instance, the two files.
-fn tasks(why: &str) -> Vec<(String, usize, PathBuf, PathBuf)> {
+pub fn tasks(why: &str) -> Vec<(String, usize, PathBuf, PathBuf)> {
     let Some(folder) = std::env::var_os(FOLDER) else {
         // Past the harness, which shows what a test prints only where it fails.
         let _ = writeln!(std::io::stderr(), "{why} skipped: {FOLDER} does not name a folder");
@@ -44,28 +44,6 @@ fn grounded(domain: &Path, task: &Path) -> Grounded {
     let task_read =
         read_task(&read, &text(task)).unwrap_or_else(|e| panic!("{}: {e}", shown(task)));
     ground(&read, &task_read, &More::default()).unwrap_or_else(|e| panic!("{}: {e}", shown(task)))
-}
-
-/// `cargo test --release --test native -- --ignored --nocapture grounding_times`
-#[test]
-#[ignore = "prints times"]
-fn grounding_times() {
-    let mut worst = 0.0_f64;
-    for (domain, number, domain_file, task_file) in tasks("grounding times") {
-        let begin = Instant::now();
-        let grounded = grounded(&domain_file, &task_file);
-        let seconds = begin.elapsed().as_secs_f64();
-        worst = worst.max(seconds);
-        let task = &grounded.task;
-        println!(
-            "{domain:10} {number:3}  {:6} facts in {:6} groups, {:3} words  {:7} operators  {seconds:8.3} s",
-            task.fact_count(),
-            task.layout().group_count(),
-            task.layout().words(),
-            task.operators().len(),
-        );
-    }
-    println!("worst {worst:.3} s");
 }
 
 #[test]

@@ -9,6 +9,7 @@
 
 mod belief;
 mod build;
+mod cover;
 pub mod generate;
 mod outline;
 mod read;

@@ -3,6 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::build::{Texts, at};
+use super::cover::covers;
 use super::template::Template;
 use super::{PddlObserver, PddlSensor};
 use crate::document::DocumentError;
@@ -156,6 +157,7 @@ impl<'a> Eye<'a> {
         let mut numbers = Numbers::default();
         let mut cases = 0;
         for (_, operator) in grounded.task.operator_ids() {
+            let mut tried: Vec<u32> = Vec::new();
             let action = operator.action;
             let (schema, objects) = (grounded.schema(action), grounded.arguments(action));
             let mut reading = Reading::default();
@@ -179,7 +181,20 @@ impl<'a> Eye<'a> {
                     return Err(DocumentError::invalid(&self.path, found, "at most that"));
                 }
                 let condition = rule.pattern.condition(literals, objects);
-                reading.cases.push((numbers.condition(condition, conditions), symbol));
+                let number = numbers.condition(condition, conditions);
+                tried.push(number);
+                reading.cases.push((number, symbol));
+            }
+            if !complete {
+                let cases: Vec<&Condition> =
+                    tried.iter().map(|&number| &conditions[number as usize]).collect();
+                if covers(grounded, operator, &cases)
+                    && let Some((_, symbol)) = reading.cases.pop()
+                {
+                    // Where no case before the last one fits, the last one does.
+                    reading.otherwise = symbol;
+                    complete = true;
+                }
             }
             if !complete {
                 let name = grounded.task.action_name(action);
@@ -187,7 +202,9 @@ impl<'a> Eye<'a> {
                     (format!("no symbol for {name}"), "a rule that matches it")
                 } else {
                     let found = format!("no symbol for {name} in every resulting state");
-                    (found, "a rule without a result that matches it, as the last one")
+                    let expected =
+                        "rules whose results leave none out, or a last one without a result";
+                    (found, expected)
                 };
                 return Err(DocumentError::invalid(&self.path, found, expected));
             }

@@ -1,5 +1,6 @@
-// HiGHS, an independent integer-program solver, in a Python environment of the project's own:
-// a Rust test has it solve the LP files that mo-copp writes. The tests get its Python by MO_COPP_HIGHS_PYTHON.
+// Two independent programs that tests compare with, in a Python environment of the project's own: HiGHS solves the LP
+// files that mo-copp writes (the tests get its Python by MO_COPP_HIGHS_PYTHON), pyperplan carries out the plans of
+// `mo-copp plan` (MO_COPP_PYPERPLAN_PYTHON).
 import { existsSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { which } from "../lib/environment.mjs";
@@ -8,26 +9,28 @@ import { read, run } from "../lib/run.mjs";
 import { aptInstall } from "./debian.mjs";
 import { SetupError, say } from "./report.mjs";
 
-export const highsPython = join(venv, "bin", "python");
+export const venvPython = join(venv, "bin", "python");
 const requirements = inRoot("scripts", "setup", "python-requirements.txt");
 
-export async function ensureHighs() {
-  const found = version();
-  if (found !== null) return say("HiGHS", `highspy ${found} in .tools/venv`);
-  say("HiGHS", "installing highspy into .tools/venv");
+export async function ensurePythonPackages() {
+  const found = versions();
+  if (found !== null) return say("HiGHS", `${found} in .tools/venv`);
+  say("HiGHS", "installing highspy and pyperplan into .tools/venv");
   if (!(await makeVenv())) {
     throw new SetupError("A Python environment could not be made.", "apt-get install python3 python3-venv   (as root)");
   }
   const args = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement", requirements];
-  if ((await run(highsPython, args)) !== 0 || version() === null) {
-    throw new SetupError("highspy could not be installed.", `${highsPython} ${args.join(" ")}`);
+  if ((await run(venvPython, args)) !== 0 || versions() === null) {
+    throw new SetupError("highspy and pyperplan could not be installed.", `${venvPython} ${args.join(" ")}`);
   }
 }
 
-const version = () =>
-  existsSync(highsPython)
-    ? read(highsPython, ["-c", "import highspy; from importlib.metadata import version; print(version('highspy'))"])
-    : null;
+const script = `
+import highspy, pyperplan.planner
+from importlib.metadata import version
+print(f"highspy {version('highspy')} and pyperplan {version('pyperplan')}")`;
+
+const versions = () => (existsSync(venvPython) ? read(venvPython, ["-c", script]) : null);
 
 async function makeVenv() {
   const make = async () => {
