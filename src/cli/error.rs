@@ -1,6 +1,6 @@
 //! What can go wrong between the command line and the library.
 
-use mo_copp::document::DocumentError;
+use mo_copp::document::{DocumentError, Place};
 use mo_copp::domain::generate::GenerateError;
 use mo_copp::experiment::ExperimentError;
 use mo_copp::limits::LimitReached;
@@ -20,11 +20,13 @@ pub enum CliError {
         /// Why.
         reason: String,
     },
-    /// A document that is wrong.
-    #[error("{file}: {error}")]
+    /// A document that is wrong. Editors and terminals follow `FILE:LINE:COLUMN`.
+    #[error("{file}:{}:{}: {error}", place.line, place.column)]
     Document {
         /// The file's name.
         file: String,
+        /// Where in the file.
+        place: Place,
         /// What is wrong.
         error: DocumentError,
     },

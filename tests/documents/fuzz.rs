@@ -13,7 +13,7 @@ use super::explicit::EXPLICIT;
 use super::gridworld::GRIDWORLD;
 use super::pddl;
 
-fn runner(seed: u64, cases: u32) -> TestRunner {
+pub fn runner(seed: u64, cases: u32) -> TestRunner {
     let rng_seed = RngSeed::Fixed(seed);
     TestRunner::new(Config { cases, rng_seed, failure_persistence: None, ..Config::default() })
 }
@@ -42,7 +42,7 @@ fn survives(text: &str) -> bool {
     true
 }
 
-fn base() -> impl Strategy<Value = &'static str> {
+pub fn base() -> impl Strategy<Value = &'static str> {
     prop::sample::select(vec![GRIDWORLD, EXPLICIT, DELIVERY, pddl::example()])
 }
 

@@ -6,6 +6,7 @@ mod fuzz;
 mod gridworld;
 mod json;
 pub mod pddl;
+mod places;
 mod round_trip;
 
 pub use delivery::DELIVERY;
