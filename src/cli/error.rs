@@ -1,6 +1,6 @@
 //! What can go wrong between the command line and the library.
 
-use mo_copp::document::{DocumentError, Place};
+use mo_copp::document::DocumentError;
 use mo_copp::domain::generate::GenerateError;
 use mo_copp::experiment::ExperimentError;
 use mo_copp::limits::LimitReached;
@@ -20,13 +20,11 @@ pub enum CliError {
         /// Why.
         reason: String,
     },
-    /// A document that is wrong. Editors and terminals follow `FILE:LINE:COLUMN`.
-    #[error("{file}:{}:{}: {error}", place.line, place.column)]
+    /// A document that is wrong.
+    #[error("{file}: {error}")]
     Document {
-        /// The file's name.
+        /// The file's name, with line and column where the error does not name them.
         file: String,
-        /// Where in the file.
-        place: Place,
         /// What is wrong.
         error: DocumentError,
     },

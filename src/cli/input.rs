@@ -56,8 +56,14 @@ pub fn texts(one: &Path, other: &Path) -> Result<(String, String), CliError> {
 pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
     let text = text(path)?;
     let wrong = |error: DocumentError| {
-        let (file, place) = (path.display().to_string(), error.place(&text));
-        CliError::Document { file, place, error }
+        let file = path.display();
+        let file = match (&error, error.place(&text)) {
+            // It names line and column itself.
+            (DocumentError::Syntax { .. }, _) => file.to_string(),
+            // Editors and terminals follow this.
+            (_, place) => format!("{file}:{}:{}", place.line, place.column),
+        };
+        CliError::Document { file, error }
     };
     let document = Document::parse(&text).map_err(wrong)?;
     Ok(Arc::new(document.problem().map_err(wrong)?))
