@@ -35,12 +35,12 @@ export function documentForm(playground: Playground): TemplateResult {
       draft.overtaken.value
         ? html`<p class="aside" role="status">The problem on the page is another one by now. Your text is as you left it.
             <button type="button" class="link" @click=${() => draft.keep()}>Keep my text</button>
-            <button type="button" class="link" @click=${() => draft.forget()}>Show the page’s problem</button></p>`
+            <button type="button" class="link" @click=${() => tab.forget()}>Show the page’s problem</button></p>`
         : nothing
     }
     <div class="actions">
       <button type="submit" class="primary" aria-keyshortcuts="Control+Enter">Use this problem</button>
-      <button type="button" ?disabled=${!draft.changed.value} @click=${() => draft.forget()}>Undo typing</button>
+      <button type="button" ?disabled=${!draft.changed.value} @click=${() => tab.forget()}>Undo typing</button>
       <button type="button" ?disabled=${playground.document.value === null} @click=${() => saveFile(playground)}>Save as a file</button>
       <label class="file">
         <span>Open a file</span>

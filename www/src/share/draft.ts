@@ -19,13 +19,21 @@ export class Draft {
     () => this.changed.value && this.typed.value !== null && this.typed.value.from !== this.open.value,
   );
 
-  private readonly open: ReadonlySignal<string> = computed(() => this.playground.document.value?.text ?? "");
+  /** The text of the document that is open. */
+  readonly open: ReadonlySignal<string> = computed(() => this.playground.document.value?.text ?? "");
+  /** Why the page did not take the text: who goes on typing knows, and sees what is wrong at its place. */
+  private refused: string | null | undefined;
   private readonly checker = new SolverClient();
   private readonly checks = new Coalesce<string>((text) => this.perform(text));
 
   constructor(private readonly playground: Playground) {}
 
   type(text: string): void {
+    if (this.playground.error.peek() === this.refused) this.playground.error.value = null;
+    if (text === this.open.value) {
+      this.forget();
+      return;
+    }
     // The document that it is begun from stays the one that it is compared with.
     const begun = this.changed.value ? this.typed.value : null;
     this.typed.value = { text, from: begun?.from ?? this.open.value };
@@ -49,8 +57,11 @@ export class Draft {
   /** Makes the text the open document. */
   async use(): Promise<void> {
     const text = this.text.value;
-    const opened = await this.playground.open(text);
-    if (!opened) return;
+    this.refused = undefined;
+    if (!(await this.playground.open(text))) {
+      this.refused = this.playground.error.peek();
+      return;
+    }
     // Somebody may have gone on typing.
     if (this.text.value === text) this.forget();
     else this.keep();

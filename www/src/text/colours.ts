@@ -40,8 +40,10 @@ const look = EditorView.theme({
     textUnderlineOffset: "0.2em",
   },
   ".cm-fault-line": { background: "var(--error-tint)" },
-  ".cm-fault-message": {
-    margin: "0.15rem 0.5rem 0.35rem",
+  // No margins: the field measures heights without them.
+  ".cm-fault-message": { padding: "0.15rem 0.5rem 0.35rem" },
+  ".cm-fault-message > span": {
+    display: "block",
     padding: "0.3rem 0.6rem",
     borderLeft: "0.3rem solid var(--error)",
     borderRadius: "0.4rem",
@@ -58,14 +60,16 @@ const look = EditorView.theme({
     textAlign: "center",
   },
   ".cm-panels": { color: "var(--ink)", background: "var(--floor)", font: "0.875rem/1.4 system-ui, sans-serif" },
-  ".cm-panels-bottom": { borderTop: "1px solid var(--line)" },
+  ".cm-panels-bottom": { border: "none" },
   ".cm-faults": {
     display: "flex",
     flexWrap: "wrap",
     alignItems: "center",
     gap: "0.25rem 0.75rem",
     padding: "0.3rem 0.6rem",
+    borderTop: "1px solid var(--line)",
   },
+  ".cm-silent": { padding: "0", border: "none" },
   ".cm-faults p": { flex: "1 1 10rem", margin: "0", minWidth: "0", overflowWrap: "anywhere" },
   ".cm-faults button": {
     minHeight: "2rem",

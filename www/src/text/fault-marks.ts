@@ -1,5 +1,5 @@
 // Shows what is wrong at its place: the words underlined, a sign beside the line and the message under it.
-import { type EditorState, type Extension, RangeSet, StateEffect, StateField } from "@codemirror/state";
+import { type EditorState, type Extension, MapMode, RangeSet, StateEffect, StateField } from "@codemirror/state";
 import { Decoration, type DecorationSet, EditorView, GutterMarker, gutter, WidgetType } from "@codemirror/view";
 import type { Mark } from "./fault.js";
 
@@ -11,7 +11,9 @@ const shown = StateField.define<Mark | null>({
   update(mark, transaction) {
     for (const effect of transaction.effects) if (effect.is(show)) return effect.value;
     if (mark === null || !transaction.docChanged) return mark;
-    const from = transaction.changes.mapPos(mark.from, 1);
+    const from = transaction.changes.mapPos(mark.from, 1, MapMode.TrackDel);
+    // What it was about is gone.
+    if (from === null) return null;
     return { ...mark, from, to: Math.max(from, transaction.changes.mapPos(mark.to, -1)) };
   },
 });
@@ -48,7 +50,8 @@ class Message extends WidgetType {
   override toDOM(): HTMLElement {
     const element = document.createElement("div");
     element.className = "cm-fault-message";
-    element.textContent = this.message;
+    element.append(document.createElement("span"));
+    (element.firstChild as Element).textContent = this.message;
     return element;
   }
 

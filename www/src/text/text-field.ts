@@ -7,6 +7,8 @@ import { colours } from "./colours.js";
 import type { Mark } from "./fault.js";
 import { faultMarks, goToFault, showFault } from "./fault-marks.js";
 import { faultPanel } from "./fault-panel.js";
+import { insertLines } from "./insert-lines.js";
+import { selectAll } from "./select-all.js";
 
 /** Longer lines are not wrapped: only what is seen of one is drawn then. */
 const LONGEST_WRAPPED = 4000;
@@ -14,6 +16,8 @@ const LONGEST_WRAPPED = 4000;
 export interface Settings {
   /** The name for those who hear it. */
   label: string;
+  /** What is said below it where nothing is wrong in it. */
+  fine: string;
   language: LanguageSupport;
   /** The person changed the text. */
   changed: () => void;
@@ -77,7 +81,7 @@ export class TextField {
   }
 
   private state(text: string): EditorState {
-    const { label, language, submit, next } = this.settings;
+    const { label, fine, language, submit, next } = this.settings;
     const run = (action: () => void) => () => {
       action();
       return true;
@@ -93,7 +97,7 @@ export class TextField {
         ]),
         lineNumbers(),
         faultMarks,
-        faultPanel,
+        faultPanel(fine),
         history(),
         drawSelection(),
         indentOnInput(),
@@ -103,6 +107,8 @@ export class TextField {
         this.wrapping.of(wraps(text) ? EditorView.lineWrapping : []),
         keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
         EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", autocapitalize: "off" }),
+        insertLines,
+        selectAll(() => this.view),
         EditorView.domEventHandlers({
           // The page takes files.
           drop: (event) => event.dataTransfer?.types.includes("Files") ?? false,

@@ -24,9 +24,10 @@ export class TextTab {
   constructor(private readonly playground: Playground) {
     const common = { submit: () => void this.use(), next: () => this.goToFault() };
     const part = (label: string, language: typeof json) =>
-      new TextField({ ...common, label, language: language(), changed: () => this.partTyped() });
+      new TextField({ ...common, label, fine: "", language: language(), changed: () => this.partTyped() });
     this.whole = new TextField({
       ...common,
+      fine: "No errors.",
       label: "Problem document (JSON)",
       language: json(),
       changed: () => this.typed(this.whole.text, null),
@@ -80,6 +81,15 @@ export class TextTab {
     this.wanted.value = "json";
     this.whole.show(this.playground.draft.text.value);
     this.whole.replace(text);
+  }
+
+  /** The text of the document that is open comes back; the field's own undo brings the other one back. */
+  forget(): void {
+    const { draft } = this.playground;
+    const text = draft.open.value;
+    this.replace(text);
+    draft.forget();
+    this.shown = { text, parts: this.shown?.parts ?? null };
   }
 
   /** Writes the JSON that is shown as the project's documents are written. False where it can't be read as it is. */
