@@ -5,19 +5,18 @@ import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { compose, partNames, split } from "../../www/src/text/parts.js";
 import { templates } from "../../www/src/text/templates.js";
-import { visit } from "./support/browser.js";
 import { taken } from "./support/core.js";
 import { Dice } from "./support/dice.js";
+import { documentOf, edit } from "./support/hands.js";
 import { openTab, press, statusIs } from "./support/playground.js";
-import { field, linesOf, retype, said, textIs } from "./support/text.js";
+import { field, linesOf, put, retype, said, textIs } from "./support/text.js";
 
 const lamps = templates.find(({ title }) => title === "PDDL")?.text ?? assert.fail();
 
 const onPddl = (use: (page: Page) => Promise<void>) =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  edit(async (page) => {
     await openTab(page, "Document");
-    await field(page).fill(lamps);
+    await put(page, lamps);
     await said(page, "No errors.").waitFor();
     await press(page, "PDDL");
     await field(page, "Domain (PDDL)").waitFor();
@@ -70,10 +69,9 @@ test("errors in PDDL stand under their line of the domain, the problem and the r
     await page.locator("[data-goal='light in the kitchen']").first().waitFor();
     await statusIs(page, "optimal");
     // It is one document.
-    await press(page, "JSON");
-    const text = (await linesOf(page)).join("\n");
-    assert.equal(taken(text), true);
-    assert.deepEqual(JSON.parse(text), JSON.parse(lamps.replaceAll(/(dark|lit|objects) kitchen/g, "$1 cellar")));
+    const document = await documentOf<unknown>(page);
+    assert.equal(taken(JSON.stringify(document)), true);
+    assert.deepEqual(document, JSON.parse(lamps.replaceAll(/(dark|lit|objects) kitchen/g, "$1 cellar")));
   }));
 
 test("going between JSON and PDDL loses nothing, right or wrong", () =>
@@ -83,7 +81,7 @@ test("going between JSON and PDDL loses nothing, right or wrong", () =>
     await press(page, "PDDL");
     const halfDone = ['(define (domain "', "(define", '{\n  "goals": [oops'];
     for (const [index, name] of ["Domain (PDDL)", "Problem (PDDL)", "Goals and observers (JSON)"].entries()) {
-      await field(page, name).fill(halfDone[index] ?? "");
+      await put(page, halfDone[index] ?? "", name);
     }
     await said(page, "line").waitFor();
     await press(page, "JSON");
@@ -97,7 +95,7 @@ test("going between JSON and PDDL loses nothing, right or wrong", () =>
     }
     // Broken by hand it can't be told what is PDDL; that is said.
     await press(page, "JSON");
-    await field(page).fill(lamps.slice(0, -3));
+    await put(page, lamps.slice(0, -3));
     await page.getByText("The JSON must be whole").waitFor();
     assert.equal(await page.getByRole("button", { name: "PDDL", exact: true }).isDisabled(), true);
   }));

@@ -10,7 +10,7 @@ import { taken } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
 import { dragMouse } from "./support/hands.js";
 import { drawn, openTab, press, statusIs, useDocument } from "./support/playground.js";
-import { field, linesOf, paste, retype, said, textIs } from "./support/text.js";
+import { field, linesOf, paste, put, retype, said, textIs } from "./support/text.js";
 
 /** Opens the tab on a small problem, in several lines. */
 const small = written(JSON.parse(grid()));
@@ -55,10 +55,10 @@ test("what is wrong is said under the line while one types, and the problem on t
 test("broken JSON has its line, and names stay text", () =>
   onText(async (page) => {
     const hostile = '<img src=x onerror="document.title=1">';
-    await field(page).fill(`{\n  "format": "gridworld",\n  "🏔": oops,\n  "x": 1\n}`);
+    await put(page, `{\n  "format": "gridworld",\n  "🏔": oops,\n  "x": 1\n}`);
     await said(page, "line 3, column 8").waitFor();
     assert.equal((await linesOf(page))[3]?.startsWith("["), true);
-    await field(page).fill(`{\n  "format": "gridworld",\n  ${JSON.stringify(hostile)}: 1\n}`);
+    await put(page, `{\n  "format": "gridworld",\n  ${JSON.stringify(hostile)}: 1\n}`);
     await said(page, hostile.slice(0, 12)).waitFor();
     assert.equal((await linesOf(page))[3]?.startsWith("["), true);
     assert.equal(await page.locator(".cm-fault").first().textContent(), JSON.stringify(hostile));
@@ -143,7 +143,7 @@ test("a text that is used is one step for the page's undo", () =>
   onText(async (page) => {
     await retype(page, "G2", "Gate");
     await retype(page, "G1", "Good");
-    await field(page).fill(small.replaceAll("G1", "Good").replaceAll("G2", "Gate"));
+    await put(page, small.replaceAll("G1", "Good").replaceAll("G2", "Gate"));
     await said(page, "No errors.").waitFor();
     await field(page).press("Control+Enter");
     await page.locator("[data-goal=Gate]").first().waitFor();
@@ -171,16 +171,16 @@ test("a document can be begun from a template, which the core takes", () =>
 
 test("JSON is put in order as the project writes it, where it can be read", () =>
   onText(async (page) => {
-    await field(page).fill(grid());
+    await put(page, grid());
     await press(page, "Format");
     await textIs(page, small);
     // What the browser would read, and lose something of, stays and is shown.
     const twice = grid().replace('"width":4', '"width":4,"width":5');
-    await field(page).fill(twice);
+    await put(page, twice);
     await said(page, "given twice").waitFor();
     await press(page, "Format");
     await textIs(page, twice);
-    await field(page).fill("{\n}}");
+    await put(page, "{\n}}");
     await press(page, "Format");
     await textIs(page, "{\n}}");
   }));
@@ -206,7 +206,7 @@ test("a large document does not stop the page, in many lines or in one", () =>
 
 test("a text that was begun says nothing while it is checked for a problem without end", () =>
   onText(async (page) => {
-    await field(page).fill(endless());
+    await put(page, endless());
     await said(page, "No errors.").waitFor();
   }));
 
@@ -219,14 +219,14 @@ for (const colorScheme of ["light", "dark"] as const) {
           return violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]);
         };
         assert.deepEqual(await barriers(), []);
-        await field(page).fill(small.replace('"width": 4', '"width": []'));
+        await put(page, small.replace('"width": 4', '"width": []'));
         await said(page, "width").waitFor();
         assert.deepEqual(await barriers(), []);
         await page.locator("summary", { hasText: "New" }).click();
         assert.deepEqual(await barriers(), []);
         await page.getByRole("button", { name: /^PDDL/ }).click();
         await press(page, "PDDL");
-        await field(page, "Problem (PDDL)").fill("(define (problem)\n)");
+        await put(page, "(define (problem)\n)", "Problem (PDDL)");
         await said(page, "problem, line").waitFor();
         assert.deepEqual(await barriers(), []);
       },
@@ -237,7 +237,7 @@ for (const colorScheme of ["light", "dark"] as const) {
 test("the text fits a narrow screen", () =>
   onText(
     async (page) => {
-      await field(page).fill(small.replace('"width": 4', `"width": "${"x".repeat(300)}"`));
+      await put(page, small.replace('"width": 4', `"width": "${"x".repeat(300)}"`));
       await said(page, "width").waitFor();
       const overflow = () => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert((await overflow()) <= 0);

@@ -3,15 +3,16 @@ import type { Page } from "playwright-core";
 
 export const field = (page: Page, name = "Problem document (JSON)") => page.getByLabel(name, { exact: true });
 
-/** Waits until a field shows this text; short texts alone are drawn in full. */
+/** Waits until a field shows this text, as far as its lines are drawn. */
 export const textIs = (page: Page, text: string, name = "Problem document (JSON)") =>
   page.waitForFunction(
-    ([text, name]) =>
+    ([text = "", name]) =>
       Array.from(document.querySelectorAll(".text-field"), (element) => element.shadowRoot)
         .map((root) => root?.querySelector(`[aria-label="${name}"]`))
         .some((content) => {
-          const lines = Array.from(content?.querySelectorAll(".cm-line") ?? [], (line) => line.textContent);
-          return content && lines.join("\n") === text;
+          const lines = Array.from(content?.querySelectorAll(".cm-line") ?? [], (line) => line.textContent).join("\n");
+          const more = content?.lastElementChild?.matches(".cm-gap") === true;
+          return content && (more ? lines.length > 400 && text.startsWith(lines) : lines === text);
         }),
     [text, name],
   );
@@ -56,4 +57,12 @@ export async function retype(page: Page, word: string, other: string, name?: str
   }, word);
   await page.mouse.dblclick(box.x, box.y);
   await page.keyboard.type(other);
+}
+
+/** Puts a text in the place of all that stands in a field. */
+export async function put(page: Page, text: string, name?: string): Promise<void> {
+  await field(page, name).focus();
+  await page.keyboard.press("Control+a");
+  if (text === "") await page.keyboard.press("Delete");
+  else await page.keyboard.insertText(text);
 }

@@ -19,9 +19,9 @@ function endsUndrawn({ endContainer, endOffset }: AbstractRange, { contentDOM }:
 export const insertLines = EditorView.domEventHandlers({
   beforeinput(event, view) {
     const text = event.data;
-    if (event.isComposing || text === null || text.length < 2) return false;
+    if (event.isComposing || text === null) return false;
     const range = event.getTargetRanges()[0] ?? selected(view.root);
-    if (range === null) return false;
+    if (range === null || (range.collapsed && text.length < 2)) return false;
     const { state } = view;
     const from = view.posAtDOM(range.startContainer, range.startOffset);
     const to = endsUndrawn(range, view) ? state.doc.length : view.posAtDOM(range.endContainer, range.endOffset);
