@@ -2,7 +2,7 @@
 
 use wasm_bindgen::JsValue;
 
-use crate::document::DocumentError;
+use crate::document::{DocumentError, Place};
 use crate::plan::PlanError;
 use crate::solver::SolveError;
 
@@ -29,29 +29,39 @@ pub(super) fn solve(error: &SolveError) -> JsValue {
 }
 
 /// A `DocumentError`, with its place as properties.
-pub(super) fn document(error: &DocumentError) -> JsValue {
+pub(super) fn document(error: &DocumentError, text: &str) -> JsValue {
     let value = thrown("DocumentError", &error.to_string());
-    // Setting a property of a new object cannot fail.
-    let set = |key: &str, property: JsValue| {
-        let _ = js_sys::Reflect::set(&value, &key.into(), &property);
-    };
+    let number = |number: usize| JsValue::from(u32::try_from(number).unwrap_or(u32::MAX));
     match error {
         DocumentError::Syntax { line, column, .. } => {
-            set("line", (*line as u32).into());
-            set("column", (*column as u32).into());
+            set(&value, "line", number(*line));
+            set(&value, "column", number(*column));
         }
-        DocumentError::Pddl { path, line, column, found, expected } => {
-            set("path", path.into());
-            set("line", (*line as u32).into());
-            set("column", (*column as u32).into());
-            set("found", found.into());
-            set("expected", expected.into());
+        DocumentError::Pddl { path, line, column, .. } => {
+            set(&value, "path", path.into());
+            set(&value, "line", number(*line));
+            set(&value, "column", number(*column));
         }
-        DocumentError::Invalid { path, found, expected } => {
-            set("path", path.into());
-            set("found", found.into());
-            set("expected", expected.into());
+        DocumentError::UnknownKey { path, .. } | DocumentError::Invalid { path, .. } => {
+            set(&value, "path", path.into());
         }
     }
+    if let DocumentError::Pddl { found, expected, .. }
+    | DocumentError::Invalid { found, expected, .. } = error
+    {
+        set(&value, "found", found.into());
+        set(&value, "expected", expected.into());
+    }
+    let Place { line, column, length } = error.place(text);
+    let place = js_sys::Object::new();
+    set(&place, "line", number(line));
+    set(&place, "column", number(column));
+    set(&place, "length", number(length));
+    set(&value, "place", place.into());
     value
+}
+
+/// Setting a property of a new object cannot fail.
+fn set(object: &JsValue, key: &str, property: JsValue) {
+    let _ = js_sys::Reflect::set(object, &key.into(), &property);
 }

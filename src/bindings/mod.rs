@@ -60,8 +60,9 @@ impl Problem {
     /// Reads a document of any format. Throws a `DocumentError` that names the place.
     #[wasm_bindgen(constructor)]
     pub fn new(document: &str) -> Result<Problem, JsValue> {
-        let document = Document::parse(document).map_err(|e| error::document(&e))?;
-        let problem = document.problem().map_err(|e| error::document(&e))?;
+        let text = document;
+        let document = Document::parse(text).map_err(|e| error::document(&e, text))?;
+        let problem = document.problem().map_err(|e| error::document(&e, text))?;
         Ok(Self { document, problem: Arc::new(problem) })
     }
 

@@ -19,6 +19,25 @@ export type EncodingName = "paper" | "belief-flow";
 export type Status = "optimal" | "solved" | "feasible" | "infeasible" | "limit";
 export interface ByObserver<T> { adversarial: T; cooperative: T }
 
+/** A stretch of one line of a text. Lines and columns count from 1, in characters; the length is 0 where something is
+ * missing. */
+export interface Place { line: number; column: number; length: number }
+
+/** What a document that is not right throws. */
+export interface DocumentError extends Error {
+  name: "DocumentError";
+  /** Where it stands in the text of the document. */
+  place: Place;
+  /** The same as keys, `goals[1].cell`; not where the text is no JSON. */
+  path?: string;
+  /** Line and column in the PDDL text that stands at the path, where there is one; else of the whole text, where it is
+   * no JSON. */
+  line?: number;
+  column?: number;
+  found?: string;
+  expected?: string;
+}
+
 export interface SolveOptions {
   solver: SolverName;
   encoding?: EncodingName;

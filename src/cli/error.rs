@@ -23,7 +23,7 @@ pub enum CliError {
     /// A document that is wrong.
     #[error("{file}: {error}")]
     Document {
-        /// The file's name.
+        /// The file's name, with line and column where the error does not name them.
         file: String,
         /// What is wrong.
         error: DocumentError,

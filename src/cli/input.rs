@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
 
+use mo_copp::document::DocumentError;
 use mo_copp::domain::Document;
 use mo_copp::problem::Problem;
 use mo_copp::solver::{Bounds, OptionsError, Watched};
@@ -54,7 +55,16 @@ pub fn texts(one: &Path, other: &Path) -> Result<(String, String), CliError> {
 /// The problem of a document.
 pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
     let text = text(path)?;
-    let wrong = |error| CliError::Document { file: path.display().to_string(), error };
+    let wrong = |error: DocumentError| {
+        let file = path.display();
+        let file = match (&error, error.place(&text)) {
+            // It names line and column itself.
+            (DocumentError::Syntax { .. }, _) => file.to_string(),
+            // Editors and terminals follow this.
+            (_, place) => format!("{file}:{}:{}", place.line, place.column),
+        };
+        CliError::Document { file, error }
+    };
     let document = Document::parse(&text).map_err(wrong)?;
     Ok(Arc::new(document.problem().map_err(wrong)?))
 }

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use super::json::quoted;
+
 /// Why a document was refused. Nothing of it is kept.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum DocumentError {
@@ -28,6 +30,16 @@ pub enum DocumentError {
         found: String,
         /// What should.
         expected: String,
+    },
+    /// A key that the format does not have.
+    #[error("{path}: found the unknown key {}, expected only {known}", quoted(key))]
+    UnknownKey {
+        /// Where the object with the key stands, as in `observers.adversarial`.
+        path: String,
+        /// The key.
+        key: String,
+        /// The keys that may be there.
+        known: String,
     },
     /// A value that does not fit.
     #[error("{path}: found {found}, expected {expected}")]

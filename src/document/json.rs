@@ -45,9 +45,12 @@ impl Json {
         serde_json::from_str(text).map_err(|error| {
             let message = error.to_string();
             let place = format!(" at line {} column {}", error.line(), error.column());
+            // That reader counts bytes.
+            let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or_default();
+            let before = line.char_indices().take_while(|(byte, _)| *byte < error.column());
             DocumentError::Syntax {
                 line: error.line(),
-                column: error.column(),
+                column: before.count(),
                 message: message.strip_suffix(&place).unwrap_or(&message).to_owned(),
             }
         })

@@ -2,12 +2,16 @@
 //!
 //! - [`json`] is a JSON value that remembers the order of keys and refuses a key given twice,
 //! - [`reader`] walks it and knows where it is, so that every error names the place, what was found
-//!   and what was expected.
+//!   and what was expected,
+//! - [`Place`] is where in the text an error stands, in lines and columns.
 //!
 //! What the documents of each format hold is the business of [`domain`](crate::domain).
 
 mod error;
 pub mod json;
+mod place;
 pub mod reader;
+mod scan;
 
 pub use error::DocumentError;
+pub use place::Place;

@@ -1,7 +1,7 @@
 //! Walks a JSON value and remembers where it is.
 
 use super::DocumentError;
-use super::json::{Json, quoted};
+use super::json::Json;
 
 /// A value and its place in the document.
 #[derive(Debug, Clone)]
@@ -59,11 +59,11 @@ impl<'a> Reader<'a> {
         let fields = self.entries()?;
         match fields.entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
             None => Ok(fields),
-            Some((key, _)) => Err(DocumentError::invalid(
-                self.path(),
-                format!("the unknown key {}", quoted(key)),
-                format!("only {}", known.join(", ")),
-            )),
+            Some((key, _)) => Err(DocumentError::UnknownKey {
+                path: self.path().to_owned(),
+                key: key.clone(),
+                known: known.join(", "),
+            }),
         }
     }
 

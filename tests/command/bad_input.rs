@@ -10,7 +10,28 @@ fn refused(document: &str, (from, to, message): Case) {
     let ran = mo_copp(&document.replacen(from, to, 1), &["solve", "-", "--json"]);
     assert_eq!(ran.code, 2, "{to}: {}{}", ran.out, ran.err);
     assert_eq!(ran.out, "", "{to}: nothing is half done");
-    assert_eq!(ran.err, format!("mo-copp: -: {message}\n"), "{to}");
+    assert_eq!(message_of(&ran.err), message, "{to}");
+}
+
+/// The message behind `mo-copp: -:LINE:COLUMN: `, or behind `mo-copp: -: ` where it names line and column itself.
+fn message_of(printed: &str) -> &str {
+    let message = printed.strip_prefix("mo-copp: -:").unwrap().strip_suffix('\n').unwrap();
+    if let Some(message) = message.strip_prefix(' ') {
+        assert!(message.starts_with("line "), "{message}");
+        return message;
+    }
+    let mut parts = message.splitn(3, ':');
+    for _ in 0..2 {
+        assert!(parts.next().unwrap().parse::<usize>().unwrap() > 0, "{message}");
+    }
+    parts.next().unwrap().strip_prefix(' ').unwrap()
+}
+
+#[test]
+fn an_error_begins_with_file_line_and_column() {
+    let document = "{\"format\": \"gridworld\",\n \"width\": 0}";
+    let ran = mo_copp(document, &["solve", "-"]);
+    assert_eq!(ran.err, "mo-copp: -:2:11: width: found 0, expected a whole number from 1 to 256\n");
 }
 
 #[test]

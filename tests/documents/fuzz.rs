@@ -17,7 +17,7 @@ use super::gridworld::GRIDWORLD;
 use super::pddl;
 use crate::common::fuzz_cases;
 
-fn runner(seed: u64, cases: u32) -> TestRunner {
+pub fn runner(seed: u64, cases: u32) -> TestRunner {
     let rng_seed = RngSeed::Fixed(seed);
     TestRunner::new(Config { cases, rng_seed, failure_persistence: None, ..Config::default() })
 }
@@ -46,7 +46,7 @@ fn survives(text: &str) -> bool {
     true
 }
 
-fn base() -> impl Strategy<Value = &'static str> {
+pub fn base() -> impl Strategy<Value = &'static str> {
     prop::sample::select(vec![GRIDWORLD, EXPLICIT, DELIVERY, pddl::example()])
 }
 

@@ -1,9 +1,11 @@
 // The Rust core's types, as its bindings declare them. Everything the page knows of planning comes through these.
 export type {
   Advice,
+  DocumentError,
   LengthPoint,
   NextAction,
   Outcome,
+  Place,
   Progress,
   Scene,
   SolveOptions,

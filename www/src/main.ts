@@ -14,6 +14,7 @@ import "./style/gallery.css";
 import "./style/share.css";
 import "./style/help.css";
 import "./style/steps.css";
+import "./style/text.css";
 import { MoCoppPlayground } from "./element/mo-copp-playground.js";
 
 customElements.define("mo-copp-playground", MoCoppPlayground);

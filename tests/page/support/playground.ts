@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import type { Page } from "playwright-core";
 import type { Trace } from "../../../www/src/core.js";
+import { put } from "./text.js";
 
 const element = "mo-copp-playground";
 
@@ -22,7 +23,7 @@ export const openTab = (page: Page, name: string) => page.getByRole("tab", { nam
 /** Puts a document into the text field and opens it. */
 export async function useDocument(page: Page, document: string): Promise<void> {
   await openTab(page, "Document");
-  await page.getByLabel("Problem document (JSON)").fill(document);
+  await put(page, document);
   await press(page, "Use this problem");
 }
 

@@ -1,12 +1,7 @@
 // Keys that edit wherever on the page the keyboard is: undo and redo, and giving up what is being dragged.
 import type { Playground } from "../state/playground.js";
+import { inText } from "../view/typing.js";
 import { takeBack } from "./dragging.js";
-
-/** Text fields take back what was typed in them by themselves. */
-const typing = (target: EventTarget | null): boolean =>
-  target instanceof HTMLTextAreaElement ||
-  (target instanceof HTMLElement && target.isContentEditable) ||
-  (target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button", "file"].includes(target.type));
 
 export function shortcut(playground: Playground, event: KeyboardEvent): void {
   if (playground.editing.drag.value !== null && event.key === "Escape") {
@@ -15,7 +10,7 @@ export function shortcut(playground: Playground, event: KeyboardEvent): void {
     playground.editing.said.value = "put back.";
     return;
   }
-  const action = typing(event.target) ? null : wanted(event);
+  const action = inText(event) ? null : wanted(event);
   if (action === null) return;
   event.preventDefault();
   // Taking back what is not finished is all that is meant.

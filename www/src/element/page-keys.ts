@@ -2,6 +2,7 @@
 // the steps, and ? opens the help.
 import { openHelp } from "../help/help.js";
 import type { Playground } from "../state/playground.js";
+import { inField } from "../view/typing.js";
 
 /** The playgrounds of the page, in the order in which they came: the first has the keys when no other has the focus. */
 const listening: PageKeys[] = [];
@@ -55,8 +56,7 @@ export class PageKeys {
   }
 }
 
-const texts = "input, textarea, select, [contenteditable]";
-const others = `${texts}, dialog, [role=tab], [role=slider], [role=application], [role=grid], [role=listbox], [role=radio]`;
+const others = `dialog, [role=tab], [role=slider], [role=application], [role=grid], [role=listbox], [role=radio]`;
 
 const placeOf = ({ target }: Event): Element => (target instanceof Element ? target : document.body);
 
@@ -69,11 +69,17 @@ function pressedKey(event: KeyboardEvent): void {
   if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
   const on = placeOf(event);
   if (event.key === "?") {
-    if (on.closest(texts) !== null) return;
+    if (inField(event)) return;
     event.preventDefault();
     void openHelp();
     return;
   }
-  if (event.shiftKey || on.closest(others) !== null || document.querySelector("dialog:modal") !== null) return;
+  if (
+    event.shiftKey ||
+    inField(event) ||
+    on.closest(others) !== null ||
+    document.querySelector("dialog:modal") !== null
+  )
+    return;
   if (takerOf(on)?.take(event.key, on)) event.preventDefault();
 }

@@ -44,6 +44,17 @@ export const keyGroups: readonly KeyGroup[] = [
     ],
   },
   {
+    title: "Text",
+    where: "In a text field of the tab “Document”",
+    keys: [
+      { keys: ["Ctrl+Enter"], does: "Use this problem" },
+      { keys: ["F8"], does: "Go to the error" },
+      { keys: ["Ctrl+Z"], does: "Take back what was typed" },
+      { keys: ["Tab", "Shift+Tab"], does: "Indent, less" },
+      { keys: ["Escape, then Tab"], does: "Leave the field for the next control" },
+    ],
+  },
+  {
     title: "Pictures of the trade-off",
     where: "On a point",
     keys: [

@@ -1,4 +1,4 @@
-// A document as text, written for people: one key a line, cells and short objects on one.
+// A document as text, written for people: one key a line, cells and short objects on one, PDDL line by line.
 import type { ProblemDocument } from "./types.js";
 
 const LINE = 110;
@@ -16,8 +16,17 @@ function block(value: unknown, depth: number): string {
   const end = `\n${"  ".repeat(depth)}`;
   if (Array.isArray(value)) return rows(value, depth, indent, end);
   const entries = Object.entries(value).filter(([, entry]) => entry !== undefined);
-  return `{\n${entries.map(([key, entry]) => `${indent}${JSON.stringify(key)}: ${block(entry, depth + 1)}`).join(",\n")}${end}}`;
+  const written = ([key, entry]: [string, unknown]) =>
+    depth === 0 && isPddl(key, entry) ? lineByLine(entry) : block(entry, depth + 1);
+  return `{\n${entries.map((entry) => `${indent}${JSON.stringify(entry[0])}: ${written(entry)}`).join(",\n")}${end}}`;
 }
+
+/** A list of the lines of a text. */
+const isPddl = (key: string, value: unknown): value is string[] =>
+  (key === "domain" || key === "problem") && Array.isArray(value) && value.every((line) => typeof line === "string");
+
+const lineByLine = (lines: string[]): string =>
+  `[\n${lines.map((text) => `    ${JSON.stringify(text)}`).join(",\n")}\n  ]`;
 
 /** Short entries fill lines; long ones get one each. */
 function rows(list: unknown[], depth: number, indent: string, end: string): string {

@@ -1,51 +1,79 @@
 // What stands in the document's text field: the document that is open, or what somebody is making of it.
 import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import { Coalesce } from "../state/coalesce.js";
 import type { Playground } from "../state/playground.js";
+import { SolverClient } from "../worker/client.js";
+import type { Fault } from "../worker/protocol.js";
 
 export class Draft {
-  /** The text as it was changed, and the document that it was changed from. */
+  /** The text as it was changed, and the document that it was changed from or is kept beside. */
   private readonly typed = signal<{ text: string; from: string } | null>(null);
-  /** What was typed and refused, and why. */
-  private readonly refused = signal<{ text: string; message: string } | null>(null);
+  /** What the core said of a text last. */
+  readonly checked = signal<{ text: string; fault: Fault | null } | null>(null);
 
-  /** Follows the open document: a text that was begun for another one is put aside. */
-  readonly text: ReadonlySignal<string> = computed(() => this.current.value?.text ?? this.open.value);
+  /** Follows the open document, but for a text that was begun and not used: that one stays. */
+  readonly text: ReadonlySignal<string> = computed(() => this.typed.value?.text ?? this.open.value);
   readonly changed: ReadonlySignal<boolean> = computed(() => this.text.value !== this.open.value);
-  /** A text that was begun and not used, when the document changed under it. */
-  readonly aside: ReadonlySignal<string | null> = computed(() => {
-    const typed = this.typed.value;
-    return typed === null || typed.from === this.open.value || typed.text === this.open.value ? null : typed.text;
-  });
-  readonly error: ReadonlySignal<string | null> = computed(() => {
-    const refused = this.refused.value;
-    return refused !== null && refused.text === this.text.value ? refused.message : null;
-  });
+  /** The problem changed under a text that was begun and not used. */
+  readonly overtaken: ReadonlySignal<boolean> = computed(
+    () => this.changed.value && this.typed.value !== null && this.typed.value.from !== this.open.value,
+  );
 
-  private readonly open: ReadonlySignal<string> = computed(() => this.playground.document.value?.text ?? "");
-  private readonly current = computed(() => (this.typed.value?.from === this.open.value ? this.typed.value : null));
+  /** The text of the document that is open. */
+  readonly open: ReadonlySignal<string> = computed(() => this.playground.document.value?.text ?? "");
+  /** Why the page did not take the text: who goes on typing knows, and sees what is wrong at its place. */
+  private refused: string | null | undefined;
+  private readonly checker = new SolverClient();
+  private readonly checks = new Coalesce<string>((text) => this.perform(text));
 
   constructor(private readonly playground: Playground) {}
 
   type(text: string): void {
-    this.typed.value = { text, from: this.open.value };
+    if (this.playground.error.peek() === this.refused) this.playground.error.value = null;
+    if (text === this.open.value) {
+      this.forget();
+      return;
+    }
+    // The document that it is begun from stays the one that it is compared with.
+    const begun = this.changed.value ? this.typed.value : null;
+    this.typed.value = { text, from: begun?.from ?? this.open.value };
   }
 
-  /** Puts the text that was put aside back into the field. */
-  bringBack(): void {
-    const text = this.aside.value;
-    if (text !== null) this.type(text);
+  /** Has the core say whether a text is right; of many in short time only the last. */
+  check(text: string): void {
+    if (this.checked.value?.text !== text) this.checks.ask(text);
   }
 
+  /** The text stays, and belongs to the document that is open now. */
+  keep(): void {
+    this.typed.value = { text: this.text.value, from: this.open.value };
+  }
+
+  /** The text of the document that is open comes back. */
   forget(): void {
     this.typed.value = null;
-    this.refused.value = null;
   }
 
   /** Makes the text the open document. */
   async use(): Promise<void> {
     const text = this.text.value;
-    this.refused.value = null;
-    if (await this.playground.open(text)) this.forget();
-    else this.refused.value = { text, message: this.playground.error.value ?? "" };
+    this.refused = undefined;
+    if (!(await this.playground.open(text))) {
+      this.refused = this.playground.error.peek();
+      return;
+    }
+    // Somebody may have gone on typing.
+    if (this.text.value === text) this.forget();
+    else this.keep();
+  }
+
+  dispose(): void {
+    this.checks.clear();
+    this.checker.dispose();
+  }
+
+  private async perform(text: string): Promise<void> {
+    const ending = await this.checker.run({ kind: "check", document: text });
+    if (ending.kind === "checked") this.checked.value = { text, fault: ending.fault };
   }
 }

@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
 import type { Playground } from "../state/playground.js";
+import { inField } from "../view/typing.js";
 import { openFile } from "./files.js";
 
 export class DropTarget {
@@ -27,7 +28,7 @@ export class DropTarget {
 
   private readonly dragged = (event: Event) => {
     const { dataTransfer } = event as DragEvent;
-    if (dataTransfer === null || inField(event)) return;
+    if (dataTransfer === null || inText(event)) return;
     event.preventDefault();
     dataTransfer.dropEffect = "copy";
     clearTimeout(this.leaving);
@@ -45,7 +46,7 @@ export class DropTarget {
   private readonly dropped = (event: Event) => {
     const { dataTransfer } = event as DragEvent;
     this.over.value = false;
-    if (dataTransfer === null || inField(event)) return;
+    if (dataTransfer === null || inText(event)) return;
     event.preventDefault();
     void this.take(dataTransfer);
   };
@@ -69,10 +70,8 @@ export class DropTarget {
 }
 
 /** Text can be dragged into a text field, as everywhere. */
-function inField(event: Event): boolean {
-  const types = (event as DragEvent).dataTransfer?.types ?? [];
-  const field = event.target instanceof Element && event.target.closest("input, textarea, [contenteditable]") !== null;
-  return field && !types.includes("Files");
+function inText(event: Event): boolean {
+  return inField(event) && !((event as DragEvent).dataTransfer?.types ?? []).includes("Files");
 }
 
 export function dropSign(target: DropTarget): TemplateResult | "" {

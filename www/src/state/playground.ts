@@ -27,7 +27,8 @@ export class Playground extends Edits {
 
   override dispose(): void {
     super.dispose();
-    for (const part of [this.walker, this.guess, this.adviser, this.comparison, this.tradeoff]) part.dispose();
+    const { walker, guess, adviser, comparison, tradeoff, draft } = this;
+    for (const part of [walker, guess, adviser, comparison, tradeoff, draft]) part.dispose();
   }
 
   protected override leaveGames(): void {

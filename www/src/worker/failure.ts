@@ -1,5 +1,6 @@
 // Telling a person's mistake from a broken core.
-import type { Answer } from "./protocol.js";
+import type { DocumentError } from "../core.js";
+import type { Answer, Fault } from "./protocol.js";
 
 /** The core names its own errors; a trap, a stack overflow or an error of the glue code means that it is broken. */
 const broken = [WebAssembly.RuntimeError, WebAssembly.CompileError, WebAssembly.LinkError, RangeError, TypeError];
@@ -7,4 +8,16 @@ const broken = [WebAssembly.RuntimeError, WebAssembly.CompileError, WebAssembly.
 export function failure(error: unknown): Answer {
   const message = error instanceof Error ? error.message : String(error);
   return broken.some((kind) => error instanceof kind) ? { kind: "broken", message } : { kind: "refused", message };
+}
+
+/** What a document's own error says; null where the error is another. */
+export function faultIn(error: unknown): Fault | null {
+  if (!(error instanceof Error) || error.name !== "DocumentError") return null;
+  const { message, place, path, line, column } = error as DocumentError;
+  return {
+    message,
+    place,
+    ...(path === undefined ? {} : { path }),
+    ...(line === undefined || column === undefined ? {} : { line, column }),
+  };
 }

@@ -2,12 +2,14 @@
 //
 // Each request carries an id and all it needs, the problem document too: a worker that was lost can be replaced by
 // another without telling it anything first. A newer request makes every older one stale.
-import type { Advice, NextAction, Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import type { Advice, DocumentError, NextAction, Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
 
 /** What the page asks for. */
 export type Task =
   /** Read a document, solve it and replay the plan, all in one turn. */
   | { kind: "solve"; document: string; options: SolveOptions }
+  /** Only say whether a document is right. */
+  | { kind: "check"; document: string }
   | { kind: "trace"; document: string; plan: string[] }
   /** Replay a plan, and tell what can be done after it. */
   | { kind: "walk"; document: string; plan: string[] }
@@ -16,6 +18,9 @@ export type Task =
 
 /** Page to worker. `cancel` names the request it ends. */
 export type Message = (Task & { id: number }) | { kind: "cancel"; id: number };
+
+/** What is wrong with a document, and where. */
+export type Fault = Pick<DocumentError, "message" | "place" | "path" | "line" | "column">;
 
 /** An outcome that may lack figures: one that was put together after its worker was lost has none. */
 export type Answered = Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> };
@@ -30,6 +35,7 @@ export type Update =
 export type Answer =
   /** Without a plan, `trace` is the start alone. */
   | { kind: "solved"; scene: Scene; outcome: Answered; trace: Trace }
+  | { kind: "checked"; fault: Fault | null }
   | { kind: "traced"; trace: Trace }
   | { kind: "walked"; trace: Trace; next: NextAction[] }
   | { kind: "advised"; advice: Advice }

@@ -1,8 +1,8 @@
 // The worker: the only place that runs the core. One task at a time; a newer one makes the older ones stale.
 import init, { Problem } from "../../pkg/mo_copp.js";
 import type { SolveOptions } from "../core.js";
-import { failure } from "./failure.js";
-import type { Answer, Message, Reply, Task } from "./protocol.js";
+import { failure, faultIn } from "./failure.js";
+import type { Answer, Fault, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
 import { nextTurn } from "./turn.js";
 
@@ -42,6 +42,7 @@ async function handle(task: Task, id: number): Promise<void> {
 }
 
 function perform(task: Task, id: number): Answer | Promise<Answer> {
+  if (task.kind === "check") return { kind: "checked", fault: checked(task.document) };
   const problem = opened(task.document);
   switch (task.kind) {
     case "trace":
@@ -52,6 +53,17 @@ function perform(task: Task, id: number): Answer | Promise<Answer> {
       return solve(problem, task.options, id);
     case "advise":
       return advise(problem, task.options, id);
+  }
+}
+
+function checked(document: string): Fault | null {
+  try {
+    new Problem(document).free();
+    return null;
+  } catch (error) {
+    const fault = faultIn(error);
+    if (fault === null) throw error;
+    return fault;
   }
 }
 
