@@ -36,9 +36,11 @@ pub(super) fn document(error: &DocumentError) -> JsValue {
         let _ = js_sys::Reflect::set(&value, &key.into(), &property);
     };
     match error {
-        DocumentError::Syntax { line, column, .. } => {
+        DocumentError::Syntax { line, column, found, expected } => {
             set("line", (*line as u32).into());
             set("column", (*column as u32).into());
+            set("found", found.into());
+            set("expected", expected.into());
         }
         DocumentError::Pddl { path, line, column, found, expected } => {
             set("path", path.into());

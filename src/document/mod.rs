@@ -9,5 +9,6 @@
 mod error;
 pub mod json;
 pub mod reader;
+mod syntax;
 
 pub use error::DocumentError;

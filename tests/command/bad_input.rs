@@ -16,7 +16,11 @@ fn refused(document: &str, (from, to, message): Case) {
 #[test]
 fn gridworld_documents() {
     let cases: &[Case] = &[
-        ("{\"format\"", "{format", "line 1, column 2: key must be a string"),
+        (
+            "{\"format\"",
+            "{format",
+            "line 1, column 2: found “format”, expected a key in double quotes",
+        ),
         (
             "\"gridworld\"",
             "\"chess\"",
