@@ -31,8 +31,8 @@ for (const [device, options] of [
       await enter(page, "Rows", "33");
       await page.getByText("A whole number from 2 to 32.").waitFor();
       assert.equal((await documentOf(page)).height, 32);
-      await enter(page, "Rows", "2");
-      assert.equal((await assertLive(page)).height, 2);
+      await enter(page, "Rows", "3");
+      assert.equal((await assertLive(page)).height, 3);
       await page.getByLabel("The agent may also stay").check();
       await page.getByLabel("Staying").first().waitFor();
       const staying = await assertLive(page);
@@ -44,6 +44,19 @@ for (const [device, options] of [
       assert(overflow <= 0, `${overflow} pixels too wide`);
     }, options));
 }
+
+test("a grid that is made too small for its goals stays as it is, and says why", () =>
+  edit(async (page) => {
+    await openTab(page, "Edit");
+    await enter(page, "Columns", "2");
+    await page.getByText(/^To fit, /).waitFor();
+    const { start, goals } = await assertLive(page);
+    assert.equal(new Set([start, ...goals.map(({ cell }) => cell)].map(String)).size, 5);
+    await enter(page, "Rows", "2");
+    await page.getByText(/^Too small: there (is|are) .* for the 5 places of the start and the goals/).waitFor();
+    assert.equal(await page.getByLabel("Rows", { exact: true }).getAttribute("aria-invalid"), "true");
+    assert.equal((await documentOf(page)).height, 8);
+  }));
 
 test("goals are named, added, removed, and one is true", () =>
   edit(async (page) => {
