@@ -225,6 +225,7 @@ export abstract class Session {
   }
 
   private update(document: OpenDocument, update: Update, at: Job["at"]): void {
+    if (update.kind === "started") return;
     batch(() => {
       if (update.kind === "progress") {
         this.progress.value = update.progress;

@@ -20,8 +20,10 @@ export type Message = (Task & { id: number }) | { kind: "cancel"; id: number };
 /** An outcome that may lack figures: one that was put together after its worker was lost has none. */
 export type Answered = Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> };
 
-/** What a worker tells while it solves. */
+/** What a worker tells while it is at a task. */
 export type Update =
+  /** The task is taken up. */
+  | { kind: "started" }
   | { kind: "progress"; progress: Progress }
   /** The document is right; solving takes longer, or cannot start. */
   | { kind: "opened"; scene: Scene; start: Trace };
@@ -41,8 +43,4 @@ export type Answer =
 /** Worker to page. */
 export type Reply =
   /** The core is loaded. */
-  | { kind: "ready" }
-  /** The task is taken up. */
-  | { kind: "started"; id: number }
-  | (Answer & { id: number })
-  | (Update & { id: number });
+  { kind: "ready" } | (Answer & { id: number }) | (Update & { id: number });
