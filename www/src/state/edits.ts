@@ -2,7 +2,7 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
-import { emptyForm, exactOptions, type Form } from "./form.js";
+import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
 import { History } from "./history.js";
 import type { OpenDocument } from "./result.js";
 import { Session } from "./session.js";
@@ -23,8 +23,11 @@ export abstract class Edits extends Session {
     return (this.wanted ?? this.document.value)?.value ?? null;
   }
 
-  /** Opens a document and solves it. One that can't be read leaves everything as it was. */
-  async open(text: string, form: Partial<Form> = {}): Promise<boolean> {
+  /**
+   * Opens a document and solves it: exactly, or with the solver chosen. One that can't be read leaves everything as it
+   * was.
+   */
+  async open(text: string, form: Partial<Form> = {}, solver: "exact" | "chosen" = "exact"): Promise<boolean> {
     let value: ProblemDocument;
     try {
       value = JSON.parse(text);
@@ -40,12 +43,13 @@ export abstract class Edits extends Session {
     this.live.clear();
     this.before = null;
     this.wanted = document;
-    const options = exactOptions(this.form.value);
+    const exact = exactOptions(fitting);
+    const options = solver === "exact" ? exact : optionsOf(fitting);
     if (typeof options === "string") {
       this.refuse(options);
       return false;
     }
-    this.asked = JSON.stringify(options);
+    this.asked = JSON.stringify(exact);
     this.begin();
     await this.perform({ document, options, at: "end" });
     if (this.document.value !== document) {
@@ -55,7 +59,7 @@ export abstract class Edits extends Session {
     }
     if (before !== null && before.text !== text) this.history.record(before);
     this.origin.value = document;
-    this.ran.value = null;
+    this.ran.value = solver === "exact" ? null : options.solver;
     return true;
   }
 
