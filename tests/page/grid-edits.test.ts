@@ -115,7 +115,15 @@ test("smaller puts no two goals into one cell, nor a goal onto the start, or is 
     const places = new Set([start, ...moved.map(({ cell }) => cell)].map(String));
     assert.equal(places.size, 5, `${width} by ${height}: ${[...places].join(" ")}`);
   }
-  assert.match(String(resized(eight, 2, 2)), /4 free cells for the 5 places of the start and the goals/);
+  // With a cell for each goal and none left over, the start is on one of them, and that is said.
+  const least = shrunk(eight, 2, 2);
+  assert.equal(new Set(least.document.goals.map(({ cell }) => String(cell))).size, 4);
+  assert.match(least.changes[0] ?? "", /^the start moved to column 0, row 1, where G\d is$/);
+  const five = goals.addGoal(eight, [4, 4]) as GridworldDocument;
+  assert.equal(
+    resized(five, 2, 2),
+    "Too small: there are 4 free cells for the goals’ 5 places. Remove goals or walls first.",
+  );
   // Goals that shared a cell before still do.
   const [first, ...others] = eight.goals;
   const shared = { ...eight, goals: [first, ...others.map((goal) => ({ ...goal, cell: first?.cell }))] };

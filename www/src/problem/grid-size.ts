@@ -16,7 +16,7 @@ export interface Resized {
 
 /**
  * Keeps what fits. The start and the goals move to the nearest cells that are free, each to one of its own; the rest
- * vanishes with its cells. A sentence says why, where there are too few cells.
+ * vanishes with its cells. Where there are too few cells, a sentence says so.
  */
 export function resized(document: GridworldDocument, width: number, height: number): Resized | string {
   const size = { width, height };
@@ -27,9 +27,15 @@ export function resized(document: GridworldDocument, width: number, height: numb
   const open = freeCells({ ...document, ...size, walls });
   const free = open.length > 0 ? open : everyCell(size).slice(0, 1);
   const kept = walls.filter((wall) => !free.some((cell) => sameCell(cell, wall)));
-  const places = newPlaces([document.start, ...document.goals.map(({ cell }) => cell)], free);
+  const cells = document.goals.map(({ cell }) => cell);
+  let places = newPlaces([document.start, ...cells], free);
+  const crowded = typeof places === "string";
+  // Where there is no cell left over for the start, it can be on a goal's.
+  if (crowded) places = newPlaces(cells, free);
   if (typeof places === "string") return places;
-  const moved = (cell: Cell): Cell => places.get(keyOf(cell)) ?? cell;
+  if (crowded) places.set(keyOf(document.start), nearest(free, document.start));
+  const found = places;
+  const moved = (cell: Cell): Cell => found.get(keyOf(cell)) ?? cell;
 
   const start = moved(document.start);
   const goals = document.goals.map((goal) => ({ ...goal, cell: moved(goal.cell) }));
@@ -41,7 +47,10 @@ export function resized(document: GridworldDocument, width: number, height: numb
     result = withCameras(withBelief(result, role, held), role, camerasOf(document, role).filter(fits));
   }
 
-  if (!sameCell(start, document.start)) changes.push(`the start moved to ${place(start)}`);
+  const met = crowded ? goals.find(({ cell }) => sameCell(cell, start)) : undefined;
+  const where = `${place(start)}${met === undefined ? "" : `, where ${met.name} is`}`;
+  if (!sameCell(start, document.start)) changes.push(`the start moved to ${where}`);
+  else if (met !== undefined) changes.push(`${met.name} is where the start is`);
   for (const [index, { name, cell }] of goals.entries()) {
     if (!sameCell(cell, document.goals[index]?.cell ?? cell)) changes.push(`${name} moved to ${place(cell)}`);
   }
@@ -61,7 +70,7 @@ function newPlaces(taken: readonly Cell[], free: readonly Cell[]): Map<string, C
   const needed = places.size + pushed.length;
   if (needed > free.length) {
     const room = free.length === 1 ? "is 1 free cell" : `are ${free.length} free cells`;
-    return `Too small: there ${room} for the ${needed} places of the start and the goals. Remove goals or walls first.`;
+    return `Too small: there ${room} for the goals’ ${needed} places. Remove goals or walls first.`;
   }
   const used = new Set(places.keys());
   for (const cell of pushed) {

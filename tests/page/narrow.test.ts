@@ -1,0 +1,174 @@
+// What has to be read whole on every screen: texts in their boxes, formulas, signs, and names that go on and on.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Locator, Page } from "playwright-core";
+import { visit } from "./support/browser.js";
+import { delivery, figure1, grid } from "./support/documents.js";
+import { attribute, openTab, press, slider, statusIs, stepIs, useDocument } from "./support/playground.js";
+
+const widths = [320, 390, 820, 1280] as const;
+const at = (width: number) => ({ viewport: { width, height: 800 }, reducedMotion: "reduce" }) as const;
+const phone = at(320);
+
+const overflow = (page: Page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+
+/** Whether what an element holds is cut off. */
+const isCut = (element: Locator) =>
+  element.evaluate((part) => part.scrollWidth > part.clientWidth + 1 || part.scrollHeight > part.clientHeight + 1);
+
+const named = JSON.stringify({
+  ...JSON.parse(figure1),
+  factories: [
+    { name: "Amsterdam-Noord", packages: ["W10", "medicine"] },
+    { name: "B", packages: ["b1", "b2"] },
+  ],
+  true_goal: "W10+medicine",
+  observers: {
+    adversarial: { sensor: { load: "package", deliver: "delivery" } },
+    cooperative: { sensor: { load: { "Amsterdam-Noord": "barcode A", B: "barcode B" }, deliver: "delivery" } },
+  },
+});
+
+for (const width of widths) {
+  for (const [title, problem] of [
+    ["the paper's", figure1],
+    ["long names", named],
+    ["five at once", delivery([4, 3], 5)],
+  ] as const) {
+    test(`no text of a delivery touches its box, ${title}, ${width} pixels wide`, () =>
+      visit(async ({ page }) => {
+        await statusIs(page, "optimal");
+        await useDocument(page, problem);
+        await page.locator("svg.delivery").first().waitFor();
+        await statusIs(page, "optimal");
+        const last = Number(await slider(page).getAttribute("max"));
+        for (const step of [0, 1, last]) {
+          await slider(page).fill(String(step));
+          await stepIs(page, step);
+          const wrong = await page.evaluate(() => {
+            const touching: string[] = [];
+            const check = (text: SVGGraphicsElement, box: SVGGraphicsElement, room: number) => {
+              const [inner, outer] = [text.getBBox(), box.getBBox()];
+              const inside = inner.x >= outer.x + room && inner.x + inner.width <= outer.x + outer.width - room;
+              if (!inside) touching.push(text.textContent ?? "");
+            };
+            for (const board of document.querySelectorAll("svg.delivery")) {
+              for (const pack of board.querySelectorAll(".package")) {
+                const box = pack.querySelector<SVGGraphicsElement>(".box");
+                for (const text of pack.querySelectorAll("text")) if (box) check(text, box, 0.04);
+              }
+              const area = board.querySelector<SVGGraphicsElement>(".area");
+              const label = board.querySelector<SVGGraphicsElement>(".area + .place");
+              if (area && label) check(label, area, 0.2);
+              for (const factory of board.querySelectorAll(".factory")) {
+                const walls = factory.querySelector<SVGGraphicsElement>(".walls")?.getBBox();
+                const name = factory.querySelector<SVGGraphicsElement>(".place")?.getBBox();
+                // The roof's teeth end at 1.8; below the name is the wall.
+                if (walls && name && name.x < walls.x + 1.85) touching.push("a factory");
+                const base = Number(factory.querySelector(".place")?.getAttribute("y"));
+                if (walls && base > walls.y + 0.35 - 0.05 + 0.1) touching.push("a factory's wall");
+              }
+            }
+            const small = [
+              ...document.querySelectorAll<SVGGraphicsElement>(
+                "svg.delivery .factory .package text:not(.long, .doubt)",
+              ),
+            ].map((text) => Number.parseFloat(getComputedStyle(text).fontSize) * (text.getScreenCTM()?.a ?? 0));
+            return { touching, smallest: Math.min(...small) };
+          });
+          assert.deepEqual(wrong.touching, []);
+          assert(wrong.smallest >= 8, `letters of ${wrong.smallest} pixels`);
+        }
+        assert((await overflow(page)) <= 0);
+      }, at(width)));
+  }
+}
+
+test("the formula of the goal difference breaks nowhere inside of its brackets", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const goals = Array.from({ length: 11 }, (_, index) => ({ name: `goal ${index}`, cell: [3, index % 3] }));
+    for (const problem of [null, grid({ goals, true_goal: "goal 0" })]) {
+      if (problem !== null) await useDocument(page, problem);
+      await page.getByText(problem === null ? "÷ (4 − 1)" : "÷ (11 − 1)").waitFor();
+      const brackets = page.locator(".difference .bracket");
+      assert.equal(await brackets.count(), 2);
+      for (const bracket of await brackets.all()) {
+        const lines = await bracket.evaluate((part) => {
+          const range = document.createRange();
+          range.selectNodeContents(part);
+          return new Set([...range.getClientRects()].map(({ bottom }) => Math.round(bottom))).size;
+        });
+        assert.equal(lines, 1);
+        assert.equal(await isCut(bracket), false);
+      }
+    }
+    assert((await overflow(page)) <= 0);
+  }, phone));
+
+test("the sign that was told is there whole at every step", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const last = Number(await attribute(page, "data-step"));
+    for (let step = 0; step <= last; step += 1) {
+      await slider(page).fill(String(step));
+      await stepIs(page, step);
+      for (const board of ["adversarial", "cooperative"]) {
+        const panel = page.locator(`.panel.${board}`);
+        assert.equal(await isCut(panel.locator(".now").first()), false, `step ${step}`);
+        if (step === 0) continue;
+        assert.equal(await isCut(panel.locator(".now b")), false, `step ${step}`);
+        const symbol = panel.locator(".symbols .now");
+        const [row, box] = [await panel.locator(".symbols").boundingBox(), await symbol.boundingBox()];
+        assert(row && box && box.x >= row.x - 0.5 && box.x + box.width <= row.x + row.width + 0.5, `step ${step}`);
+        assert.equal(await isCut(symbol), false);
+      }
+    }
+  }, phone));
+
+test("names that go on and on keep everything in its place, and can be read in full", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    const name = "a name that goes on and on ".repeat(12).trim();
+    const goals = [
+      { name, cell: [3, 0] },
+      { name: "G2", cell: [0, 0] },
+    ];
+    const sensor = { north: name, south: "s", east: "e", west: "w" };
+    await useDocument(
+      page,
+      grid({ goals, true_goal: name, observers: { adversarial: { sensor }, cooperative: { sensor } } }),
+    );
+    await page.getByRole("button", { name, exact: true }).first().waitFor();
+    await statusIs(page, "optimal");
+    await openTab(page, "Steps");
+    const rows = page.locator(".steps tbody tr");
+    const heights = await rows.evaluateAll((all) => all.map((row) => row.getBoundingClientRect().height));
+    assert(Math.max(...heights) < 45, `rows of ${Math.max(...heights)} pixels`);
+    const width = await page.locator(".steps table").evaluate((table) => table.scrollWidth);
+    assert(width < 900, `a table of ${width} pixels`);
+    const goal = page.locator("table.goals tbody tr").first();
+    assert((await goal.evaluate((row) => row.getBoundingClientRect().height)) < 110);
+    assert.equal((await goal.locator(".name").getAttribute("title"))?.startsWith(name), true);
+    assert.equal(await goal.locator(".name").textContent(), name);
+    assert.equal(await rows.last().getByText(name, { exact: true }).first().getAttribute("title"), name);
+    await goal.locator(".name").click();
+    const story = page.locator(".story", { hasText: "…" });
+    assert((await story.evaluate((part) => part.getBoundingClientRect().height)) < 160);
+    await openTab(page, "Play");
+    await press(page, "Start guessing");
+    const choice = page.locator(".next button").first();
+    assert((await choice.evaluate((part) => part.getBoundingClientRect().height)) < 60);
+    await page.getByRole("button", { name, exact: true }).waitFor();
+    assert((await overflow(page)) <= 0);
+  }, phone));
+
+test("what can't be done is said once", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await page.getByLabel("Plan length").fill("3");
+    await statusIs(page, "infeasible");
+    await page.getByText("No plan can do what is asked.").waitFor();
+    assert.equal(await page.getByText("No plan yet.").count(), 0);
+    assert.equal((await page.locator(".difference .after").textContent())?.trim(), "No plan can do what is asked.");
+  }));
