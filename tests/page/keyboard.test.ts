@@ -9,8 +9,10 @@ import { attribute, statusIs, stepIs } from "./support/playground.js";
 const focus = (page: Page) =>
   page.evaluate(() => {
     const on = document.activeElement ?? document.body;
-    const labelled = on instanceof HTMLInputElement || on instanceof HTMLSelectElement ? on.labels?.[0] : null;
-    const name = on.getAttribute("aria-label") ?? labelled?.textContent ?? on.textContent ?? "";
+    const labels = on instanceof HTMLInputElement || on instanceof HTMLSelectElement ? on.labels : null;
+    const label = labels?.[0] === undefined ? null : `field: ${labels[0].textContent}`;
+    const name =
+      on.getAttribute("aria-label") ?? label ?? `${on.getAttribute("role") === "tab" ? "tab: " : ""}${on.textContent}`;
     const outline = getComputedStyle(on);
     return { name: name.replace(/\s+/g, " ").trim(), seen: outline.outlineStyle !== "none" || on.matches("svg") };
   });
@@ -64,10 +66,9 @@ test("the keyboard alone does everything", () =>
       await statusIs(page, "optimal");
 
       // Another solver within a bound.
-      await goTo(page, /^Solve$/);
-      await goTo(page, /^Solver$/);
+      await goTo(page, /^field: Solver$/);
       await keys(page, "b");
-      await goTo(page, /^Plan length$/);
+      await goTo(page, /^field: Plan length$/);
       await keys(page, "1", "8");
       await goTo(page, /^Solve$/);
       await keys(page, "Enter");
@@ -80,8 +81,7 @@ test("the keyboard alone does everything", () =>
       await page.locator(".story", { hasText: /^G4: / }).waitFor();
 
       // Being the agent.
-      await goTo(page, /^Solve$/, "Shift+Tab");
-      await goTo(page, /^Solve$/, "Shift+Tab");
+      await goTo(page, /^tab: Solve$/, "Shift+Tab");
       await keys(page, "ArrowRight", "ArrowRight");
       await goTo(page, /^Take over$/);
       await keys(page, "Enter");
@@ -99,11 +99,11 @@ test("the keyboard alone does everything", () =>
 
       // Being the enemy.
       await page.getByRole("button", { name: "Start guessing" }).waitFor();
-      await goTo(page, /^Play$/, "Shift+Tab");
+      await goTo(page, /^tab: Play$/, "Shift+Tab");
       await goTo(page, /^Start guessing$/);
       await keys(page, "Enter");
       await page.getByText("Which goal is it after?").waitFor();
-      await goTo(page, /^Play$/, "Shift+Tab");
+      await goTo(page, /^tab: Play$/, "Shift+Tab");
       await goTo(page, /^G2$/);
       await keys(page, "Enter");
       await page.getByText(/^(Right|No): it was/).waitFor();
@@ -112,7 +112,7 @@ test("the keyboard alone does everything", () =>
 
       // All solvers side by side.
       await page.getByRole("button", { name: "Start guessing" }).waitFor();
-      await goTo(page, /^Play$/, "Shift+Tab");
+      await goTo(page, /^tab: Play$/, "Shift+Tab");
       await keys(page, "ArrowRight");
       await goTo(page, /^Compare all solvers$/);
       await keys(page, "Enter");

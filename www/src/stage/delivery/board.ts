@@ -11,7 +11,7 @@ import { shelfPackage, shortened } from "./package.js";
 import { truck } from "./truck.js";
 
 /** A longer name would run into the roof. */
-const LONGEST_FACTORY = 9;
+const LONGEST_FACTORY = 7;
 
 export function deliveryBoard(name: BoardName, input: DeliveryInput, _playground: Playground): TemplateResult {
   const layout = layoutOf(input.scene);
