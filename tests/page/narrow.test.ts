@@ -128,15 +128,40 @@ test("the sign that was told is there whole at every step", () =>
       await stepIs(page, step);
       for (const board of ["adversarial", "cooperative"]) {
         const panel = page.locator(`.panel.${board}`);
-        assert.equal(await isCut(panel.locator(".now").first()), false, `step ${step}`);
+        assert.equal(await isCut(panel.locator(".latest")), false, `step ${step}`);
         if (step === 0) continue;
-        assert.equal(await isCut(panel.locator(".now b")), false, `step ${step}`);
+        assert.equal(await isCut(panel.locator(".latest b")), false, `step ${step}`);
         const symbol = panel.locator(".symbols .now");
         const [row, box] = [await panel.locator(".symbols").boundingBox(), await symbol.boundingBox()];
         assert(row && box && box.x >= row.x - 0.5 && box.x + box.width <= row.x + row.width + 0.5, `step ${step}`);
         assert.equal(await isCut(symbol), false);
       }
     }
+  }, phone));
+
+test("the sign that was told stays in sight when the screen is turned", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    for (const width of [390, 844, 390]) {
+      await page.setViewportSize({ width, height: 1234 - width });
+      await page.waitForFunction(() =>
+        [...document.querySelectorAll(".panel:not(.actor) .symbols")].every((row) => {
+          const [outer, inner] = [row, row.querySelector(".now") ?? row].map((part) => part.getBoundingClientRect());
+          return outer && inner && inner.left >= outer.left - 0.5 && inner.right <= outer.right + 0.5;
+        }),
+      );
+    }
+  }, at(844)));
+
+test("who plays the enemy on a phone has its board alone, and large", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Play");
+    await press(page, "Start guessing");
+    await page.getByText("Which goal is it after?").waitFor();
+    const box = await page.locator('svg[data-board="adversarial"]').boundingBox();
+    assert((box?.width ?? 0) > 240, `a board of ${box?.width} pixels`);
+    assert.equal(await page.getByText("Covered while you are the enemy.").first().isVisible(), false);
   }, phone));
 
 test("names that go on and on keep everything in its place, and can be read in full", () =>

@@ -14,8 +14,9 @@ export function goalDifference(playground: Playground): TemplateResult | "" {
   const final = playground.difference.value;
   const atEnd = step.value === lastStep.value;
   const walking = playground.mode.value === "walk";
+  const waiting = playground.status.value === "solving" ? "Looking for a plan." : "No plan yet.";
   // That there can be no plan is said beside it.
-  const lacking = walking ? "You are not at the true goal." : isImpossible(playground) ? "" : "No plan yet.";
+  const lacking = walking ? "You are not at the true goal." : isImpossible(playground) ? "" : waiting;
   const now = final === null ? lacking : atEnd ? "The plan ends here." : `At the end: ${shortNumber(final)}.`;
   return html`<div class="difference">
     <p class="value"><span>${glossaryLink("goal-difference", "Goal difference")}</span> <b>${value}</b></p>
@@ -24,6 +25,9 @@ export function goalDifference(playground: Playground): TemplateResult | "" {
         <b class="friend">${cooperative.length}</b> for the friend)</span>
       <span class="bracket">÷ (${scene.goals.length} − 1)</span>
     </p>
-    <div class="after">${now === "" ? nothing : html`<p class="final">${now}</p>`} ${bestPossible(playground)}</div>
+    <div class="after">${now === "" ? nothing : html`<p class="final">${now}</p>`} ${
+      // Of the problem that is open, not of the goal that was drawn.
+      playground.guess.round.value.kind === "none" ? bestPossible(playground) : nothing
+    }</div>
   </div>`;
 }

@@ -13,7 +13,7 @@ const heads: Record<BoardName, [icon: TemplateResult, title: string]> = {
 export function panelHead(name: BoardName, playground: Playground): TemplateResult {
   const [icon, title] = heads[name];
   return html`<h2>${icon}${title}</h2>
-    <p class="now">${now(name, playground)}</p>`;
+    <p class="latest">${now(name, playground)}</p>`;
 }
 
 function now(name: BoardName, { timeline, mode }: Playground): TemplateResult | string {

@@ -9,12 +9,15 @@ import { Session } from "./session.js";
 
 export abstract class Edits extends Session {
   readonly history = new History<OpenDocument>();
-  readonly canReset: ReadonlySignal<boolean> = computed(
-    () => this.origin.value !== null && this.origin.value.text !== this.document.value?.text,
-  );
+  readonly canReset: ReadonlySignal<boolean> = computed(() => {
+    const text = this.document.value?.text;
+    return this.origin.value !== null && text !== this.origin.value.text && text !== this.opening.value;
+  });
 
   /** The document as it was opened, before any edit. */
   private readonly origin = signal<OpenDocument | null>(null);
+  /** The text of a document that is being opened: it is shown before it is solved. */
+  private readonly opening = signal<string | null>(null);
   /** The document before the edit under way. */
   private before: OpenDocument | null = null;
 
@@ -51,14 +54,16 @@ export abstract class Edits extends Session {
     }
     this.asked = JSON.stringify(exact);
     this.begin();
+    this.opening.value = text;
     await this.perform({ document, options, at: "end" });
+    if (this.document.value === document) this.origin.value = document;
+    if (this.opening.value === text) this.opening.value = null;
     if (this.document.value !== document) {
       // Another document may have been asked for meanwhile, with a form of its own.
       if (this.form.value === fitting && this.document.value === before) this.form.value = asked;
       return false;
     }
     if (before !== null && before.text !== text) this.history.record(before);
-    this.origin.value = document;
     this.ran.value = solver === "exact" ? null : options.solver;
     return true;
   }

@@ -158,6 +158,13 @@ export abstract class Session {
     this.failed({ kind: "refused", message });
   }
 
+  /** The person has read what went wrong: what is shown is the last answer again. */
+  dismiss(): void {
+    if (this.status.value !== "error") return;
+    this.error.value = null;
+    this.status.value = this.result.value?.outcome.status ?? "idle";
+  }
+
   /** The core did not take the edit asked for. */
   protected abstract editRefused(): void;
 
