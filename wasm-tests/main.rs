@@ -21,7 +21,10 @@ fn documents_are_refused_with_the_same_words() {
         let made = Document::parse(text).and_then(|document| document.problem());
         made.unwrap_err().to_string()
     };
-    assert_eq!(message("{\"a\": 1,\n\"a\": 1}"), "line 2, column 3: the key \"a\" is given twice");
+    assert_eq!(
+        message("{\"a\": 1,\n\"a\": 1}"),
+        "line 2, column 3: found the key \"a\" for the second time, expected each key once"
+    );
     assert_eq!(
         message(r#"{"format": "gridworld", "width": 4294967304}"#),
         "width: found 4294967304, expected a whole number from 1 to 256"

@@ -46,7 +46,8 @@ pub(super) fn document(error: &DocumentError, text: &str) -> JsValue {
             set(&value, "path", path.into());
         }
     }
-    if let DocumentError::Pddl { found, expected, .. }
+    if let DocumentError::Syntax { found, expected, .. }
+    | DocumentError::Pddl { found, expected, .. }
     | DocumentError::Invalid { found, expected, .. } = error
     {
         set(&value, "found", found.into());

@@ -8,14 +8,16 @@ use super::json::quoted;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum DocumentError {
     /// The text is not JSON.
-    #[error("line {line}, column {column}: {message}")]
+    #[error("line {line}, column {column}: found {found}, expected {expected}")]
     Syntax {
         /// The line, from 1.
         line: usize,
         /// The column, from 1.
         column: usize,
-        /// What the JSON reader says.
-        message: String,
+        /// What stands there.
+        found: String,
+        /// What should.
+        expected: String,
     },
     /// A text in PDDL inside of the document that cannot be read.
     #[error("{path}, line {line}, column {column}: found {found}, expected {expected}")]

@@ -6,6 +6,7 @@ use rustc_hash::FxHashSet;
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 
 use super::DocumentError;
+use super::syntax::{TWICE, explained};
 
 /// The longest text that is read. A value takes up to 16 times as much memory as its text, and up to
 /// three times that while a list grows.
@@ -42,18 +43,7 @@ impl Json {
             let expected = format!("at most {} MiB", MAX_BYTES >> 20);
             return Err(DocumentError::invalid("document", found, expected));
         }
-        serde_json::from_str(text).map_err(|error| {
-            let message = error.to_string();
-            let place = format!(" at line {} column {}", error.line(), error.column());
-            // That reader counts bytes.
-            let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or_default();
-            let before = line.char_indices().take_while(|(byte, _)| *byte < error.column());
-            DocumentError::Syntax {
-                line: error.line(),
-                column: before.count(),
-                message: message.strip_suffix(&place).unwrap_or(&message).to_owned(),
-            }
-        })
+        serde_json::from_str(text).map_err(|error| explained(text, &error))
     }
 }
 
@@ -153,7 +143,8 @@ impl<'de> Visitor<'de> for JsonVisitor {
         let mut seen = FxHashSet::default();
         while let Some(key) = entries.next_key::<String>()? {
             if !seen.insert(key.clone()) {
-                return Err(A::Error::custom(format!("the key {} is given twice", quoted(&key))));
+                let (before, after) = TWICE;
+                return Err(A::Error::custom(format!("{before}{}{after}", quoted(&key))));
             }
             object.push((key, entries.next_value()?));
         }
@@ -168,13 +159,16 @@ mod tests {
     #[test]
     fn a_key_given_twice_is_refused_with_its_place() {
         let error = Json::parse("{\"a\": 1,\n \"a\": 2}").unwrap_err().to_string();
-        assert_eq!(error, "line 2, column 4: the key \"a\" is given twice");
+        assert_eq!(
+            error,
+            "line 2, column 4: found the key \"a\" for the second time, expected each key once"
+        );
     }
 
     #[test]
     fn broken_text_has_a_place() {
         let error = Json::parse("{\"a\": }").unwrap_err().to_string();
-        assert_eq!(error, "line 1, column 7: expected value");
+        assert!(error.starts_with("line 1, column 7: found “}”, expected a value"), "{error}");
         assert!(Json::parse(&"[".repeat(100_000)).is_err());
     }
 }

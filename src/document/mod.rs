@@ -12,6 +12,7 @@ pub mod json;
 mod place;
 pub mod reader;
 mod scan;
+mod syntax;
 
 pub use error::DocumentError;
 pub use place::Place;

@@ -37,7 +37,11 @@ fn an_error_begins_with_file_line_and_column() {
 #[test]
 fn gridworld_documents() {
     let cases: &[Case] = &[
-        ("{\"format\"", "{format", "line 1, column 2: key must be a string"),
+        (
+            "{\"format\"",
+            "{format",
+            "line 1, column 2: found “format”, expected a key in double quotes",
+        ),
         (
             "\"gridworld\"",
             "\"chess\"",

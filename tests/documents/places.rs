@@ -148,7 +148,7 @@ fn places_in_other_texts_are_inside_of_them() {
                 let (text, path) = (pieces.concat(), steps.concat());
                 let (found, expected) = (String::new(), String::new());
                 let error = match kind {
-                    0 => DocumentError::Syntax { line, column, message: found },
+                    0 => DocumentError::Syntax { line, column, found, expected },
                     1 => DocumentError::Pddl { path, line, column, found, expected },
                     2 => DocumentError::UnknownKey { path, key: "a".to_owned(), known: expected },
                     _ => DocumentError::Invalid { path, found, expected },

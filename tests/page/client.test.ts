@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { beforeEach, mock, test } from "node:test";
 import type { Outcome, Progress, Scene, Trace } from "../../www/src/core.js";
 import { type Ending, SolverClient } from "../../www/src/worker/client.js";
+import { runWithin } from "../../www/src/worker/patience.js";
 import type { Message, Reply } from "../../www/src/worker/protocol.js";
 
 class ScriptedWorker {
@@ -91,6 +92,7 @@ test("a cancel without an answer ends the worker; another replays the best plan 
   ScriptedWorker.last.say({ kind: "traced", id: 2, trace });
   assert.deepEqual(await ending, {
     kind: "solved",
+    replaced: true,
     scene,
     trace,
     outcome: {
@@ -147,6 +149,39 @@ test("a worker that is still loading is waited for", () => {
   void new SolverClient().run(solve);
   mock.timers.tick(60_000);
   assert.equal(ScriptedWorker.all.length, 1);
+  mock.timers.reset();
+});
+
+test("patience counts from when the worker takes the task up", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const client = new SolverClient();
+  let over = 0;
+  const patience = { milliseconds: 5000, over: () => (over += 1) };
+  const ending = runWithin(client, solve, patience);
+  const { heard } = ScriptedWorker.last;
+  mock.timers.tick(60_000);
+  assert.deepEqual([over, heard.length], [0, 1]);
+  ScriptedWorker.last.say({ kind: "ready" });
+  ScriptedWorker.last.say({ kind: "started", id: 1 });
+  mock.timers.tick(4999);
+  assert.equal(over, 0);
+  mock.timers.tick(1);
+  assert.deepEqual([over, heard.at(-1)], [1, { kind: "cancel", id: 1 }]);
+  ScriptedWorker.last.say({ kind: "solved", id: 1, outcome, trace, scene });
+  assert.equal((await ending).kind, "solved");
+  // The next task has a patience of its own, and one that has ended none.
+  const next = runWithin(client, solve, patience);
+  ScriptedWorker.last.say({ kind: "started", id: 2 });
+  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace, scene });
+  await next;
+  mock.timers.tick(60_000);
+  assert.equal(over, 1);
+  const patient = runWithin(client, solve, { milliseconds: Number.POSITIVE_INFINITY });
+  ScriptedWorker.last.say({ kind: "started", id: 3 });
+  mock.timers.tick(1e9);
+  assert.equal(ScriptedWorker.last.heard.filter(({ kind }) => kind === "cancel").length, 1);
+  client.dispose();
+  assert.equal((await patient).kind, "stale");
   mock.timers.reset();
 });
 

@@ -8,7 +8,7 @@ import { visit } from "./support/browser.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
 import { attribute, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
-import { withKnownWorkers } from "./support/workers.js";
+import { holdCore, withKnownWorkers } from "./support/workers.js";
 
 const solvers: [title: string, options: SolveOptions][] = [
   ["Exact search", { solver: "exact" }],
@@ -135,6 +135,23 @@ test("one that takes longer than it may is stopped, and says so", () =>
     await row(page, "Exact search").getByText("best found (out of time)").waitFor();
     await complete(page);
   }));
+
+test("time that a worker takes to load is not taken from the time a solver may take", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await openTab(page, "Compare");
+      await page.getByLabel("Each may take").selectOption({ label: "2 seconds" });
+      const { asked, release } = await holdCore(page);
+      await press(page, "Compare all solvers");
+      await asked;
+      await page.clock.runFor(20_000);
+      release();
+      await row(page, "Exact search").getByText("proved best").waitFor();
+      await row(page, "Baseline").getByText("reaches the goal").waitFor();
+    },
+    { before: (page) => page.clock.install() },
+  ));
 
 test("a lost worker of the comparison is told, and the others run", () =>
   visit(

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { visit } from "./support/browser.js";
 import { solve } from "./support/core.js";
-import { explicit, grid } from "./support/documents.js";
+import { endless, explicit, grid } from "./support/documents.js";
 import { assertDrawn, attribute, drawn, openTab, statusIs, useDocument } from "./support/playground.js";
 
 test("another document is opened, solved and drawn", () =>
@@ -32,6 +32,26 @@ test("a document that can't be read is explained, and the page stays as it was",
     await useDocument(page, grid());
     await statusIs(page, "optimal");
     assert.equal((await page.getByRole("alert").textContent())?.trim(), "");
+  }));
+
+test("a message can be closed, and the last answer is there again", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, grid({ start: [9, 9] }));
+    await statusIs(page, "error");
+    await page.getByRole("button", { name: "Close the message" }).click();
+    await statusIs(page, "optimal");
+    assert.equal((await page.getByRole("alert").first().textContent())?.trim(), "");
+    assert.equal(await page.getByRole("button", { name: "Close the message" }).count(), 0);
+  }));
+
+test("a problem that takes long to solve is no edited one", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, endless());
+    await page.getByText("Looking for a plan.").waitFor();
+    await page.getByText("Your own problem").waitFor();
+    assert.equal(await page.getByRole("button", { name: "Reset" }).getAttribute("aria-disabled"), "true");
   }));
 
 test("a goal's name is text, whatever it holds", () =>

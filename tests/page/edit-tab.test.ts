@@ -45,6 +45,22 @@ for (const [device, options] of [
     }, options));
 }
 
+test("a grid that is made too small for its goals stays as it is, and says why", () =>
+  edit(async (page) => {
+    await openTab(page, "Edit");
+    await press(page, "Add a goal");
+    await enter(page, "Columns", "2");
+    await page.getByText(/^To fit, /).waitFor();
+    const { start, goals } = await assertLive(page);
+    assert.equal(new Set([start, ...goals.map(({ cell }) => cell)].map(String)).size, 6);
+    await enter(page, "Rows", "2");
+    await page
+      .getByText("Too small: there are 4 free cells for the goals’ 5 places. Remove goals or walls first.")
+      .waitFor();
+    assert.equal(await page.getByLabel("Rows", { exact: true }).getAttribute("aria-invalid"), "true");
+    assert.equal((await documentOf(page)).height, 8);
+  }));
+
 test("goals are named, added, removed, and one is true", () =>
   edit(async (page) => {
     await openTab(page, "Edit");

@@ -7,7 +7,7 @@ import { between, everyCell } from "../../www/src/problem/cells.js";
 import * as cells from "../../www/src/problem/grid-cells.js";
 import * as goals from "../../www/src/problem/grid-goals.js";
 import * as sensor from "../../www/src/problem/grid-sensor.js";
-import { resized } from "../../www/src/problem/grid-size.js";
+import { type Resized, resized } from "../../www/src/problem/grid-size.js";
 import { newGrid } from "../../www/src/problem/new-grid.js";
 import { written } from "../../www/src/problem/text.js";
 import type { Cell, GridworldDocument, Role } from "../../www/src/problem/types.js";
@@ -65,23 +65,28 @@ test("the start stays in a first belief; the start alone is not written down", (
   assert.equal(belief(cells.believeEverywhere(eight, "cooperative"), "cooperative").length, 64 - 11);
 });
 
+function shrunk(document: GridworldDocument, width: number, height: number): Resized {
+  const smaller = resized(document, width, height);
+  return typeof smaller === "string" ? assert.fail(smaller) : smaller;
+}
+
 test("smaller keeps what fits, and moves what does not to the nearest free cell", () => {
-  const { document, changes } = resized(eight, 4, 4);
+  const { document, changes } = shrunk(eight, 4, 4);
   assert.deepEqual(document.walls?.map(String), ["0,3", "1,3", "2,1", "3,2"]);
   assert.deepEqual(document.start, [0, 2]);
   assert.deepEqual(
     document.goals.map(({ cell }) => String(cell)),
-    ["3,0", "3,3", "1,0", "3,3"],
+    ["3,0", "3,3", "1,0", "2,3"],
   );
   assert.deepEqual(belief(document, "adversarial"), ["0,2"]);
   assert.deepEqual(changes, [
     "the start moved to column 0, row 2",
     "G1 moved to column 3, row 0",
     "G2 moved to column 3, row 3",
-    "G4 moved to column 3, row 3",
+    "G4 moved to column 2, row 3",
     "7 walls vanished",
   ]);
-  assert.deepEqual(resized(eight, 9, 12).changes, []);
+  assert.deepEqual(shrunk(eight, 9, 12).changes, []);
   // All that is left is walls.
   const full = {
     ...newGrid(3, 3),
@@ -94,9 +99,36 @@ test("smaller keeps what fits, and moves what does not to the nearest free cell"
     start: [2, 2] as Cell,
   };
   full.goals = full.goals.map((goal) => ({ ...goal, cell: [2, 2] }));
-  const small = resized(full, 2, 2).document;
+  const small = shrunk(full, 2, 2).document;
   assert(taken(written(small)));
   assert.equal(small.walls?.length, 3);
+});
+
+test("smaller puts no two goals into one cell, nor a goal onto the start, or is refused", () => {
+  for (const [width, height] of [
+    [8, 2],
+    [2, 8],
+    [4, 4],
+    [3, 3],
+  ] as const) {
+    const { start, goals: moved } = shrunk(eight, width, height).document;
+    const places = new Set([start, ...moved.map(({ cell }) => cell)].map(String));
+    assert.equal(places.size, 5, `${width} by ${height}: ${[...places].join(" ")}`);
+  }
+  // With a cell for each goal and none left over, the start is on one of them, and that is said.
+  const least = shrunk(eight, 2, 2);
+  assert.equal(new Set(least.document.goals.map(({ cell }) => String(cell))).size, 4);
+  assert.match(least.changes[0] ?? "", /^the start moved to column 0, row 1, where G\d is$/);
+  const five = goals.addGoal(eight, [4, 4]) as GridworldDocument;
+  assert.equal(
+    resized(five, 2, 2),
+    "Too small: there are 4 free cells for the goals’ 5 places. Remove goals or walls first.",
+  );
+  // Goals that shared a cell before still do.
+  const [first, ...others] = eight.goals;
+  const shared = { ...eight, goals: [first, ...others.map((goal) => ({ ...goal, cell: first?.cell }))] };
+  const { goals: together } = shrunk(shared as GridworldDocument, 3, 3).document;
+  assert.equal(new Set(together.map(({ cell }) => String(cell))).size, 1);
 });
 
 test("names are their own, and the true goal follows its name", () => {
@@ -147,7 +179,10 @@ function anyEdit(document: GridworldDocument, dice: Dice): GridworldDocument | s
   const role = dice.of(roles);
   const index = dice.below(document.goals.length);
   const edits: (() => GridworldDocument | string)[] = [
-    () => resized(document, 2 + dice.below(8), 2 + dice.below(8)).document,
+    () => {
+      const smaller = resized(document, 2 + dice.below(8), 2 + dice.below(8));
+      return typeof smaller === "string" ? smaller : smaller.document;
+    },
     () => goals.addGoal(document),
     () => goals.addGoal(document, cell()),
     () => goals.removeGoal(document, index),

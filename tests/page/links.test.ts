@@ -72,10 +72,90 @@ test("everything that is shown comes back from the link", () =>
     assert.equal(await page.getByLabel("Solver").inputValue(), "search");
     await openTab(page, "Document");
     await textIs(page, grid());
-    // The same state has the same address again, but that the plan is no longer this page's solver's own.
+    // The same state has the same address again.
     await openTab(page, "Steps");
-    const again = await stateIn(await addressHolds(page, ({ tab, title }) => tab === "steps" && title !== undefined));
-    assert.deepEqual(again, { ...(await stateIn(hash)), title: "the plan of the link" });
+    assert.equal(await addressHolds(page, ({ tab, step }) => tab === "steps" && step === 3), hash);
+  }));
+
+const gridworld = documentOf("eight-by-eight");
+const asked: [title: string, form: Record<string, string>, status: string, document?: string][] = [
+  ["exact search", { k: "1", j: "2", horizon: "7" }, "optimal"],
+  ["integer program, belief flow", { solver: "ip", k: "1", horizon: "6", horizonStep: "1" }, "optimal"],
+  ["integer program, paper", { solver: "ip", encoding: "paper", horizon: "7" }, "optimal"],
+  ["heuristic search", { solver: "search", k: "3", j: "1" }, "solved", gridworld],
+  ["baseline", { solver: "baseline", horizon: "9" }, "solved"],
+  ["obfuscate", { solver: "obfuscate", k: "4" }, "solved", gridworld],
+  ["legible", { solver: "legible", j: "1" }, "solved", gridworld],
+  ["no plan", { solver: "search", horizon: "4" }, "infeasible"],
+];
+
+for (const [title, form, status, problem = grid()] of asked) {
+  test(`the whole state comes back from the link, ${title}`, () =>
+    visit(async ({ page }) => {
+      const link = `#${await pack(JSON.stringify({ document: problem, form, step: 0, tab: "solve" }))}`;
+      await follow(page, link);
+      await statusIs(page, "optimal", "infeasible");
+      if (form.solver !== undefined) await press(page, "Solve");
+      await page
+        .getByText(/^(Exact search|Integer program|Heuristic search|Baseline|Obfuscate only|Legible only): /)
+        .waitFor();
+      await statusIs(page, status);
+      if (status !== "infeasible") await slider(page).fill("2");
+      await openTab(page, "Steps");
+      const step = status === "infeasible" ? 0 : 2;
+      const hash = await addressHolds(page, (state) => state.step === step && state.tab === "steps");
+      const read = async () => {
+        await openTab(page, "Solve");
+        const answer = await page.locator(".result [role=status]").first().textContent();
+        const fields = await page
+          .locator(".solver input, .solver select")
+          .evaluateAll((all) => all.map((field) => (field as HTMLInputElement).value));
+        const attributes = [];
+        for (const name of ["data-status", "data-step", "data-gd"]) attributes.push(await attribute(page, name));
+        return { answer, fields, attributes, drawn: await drawn(page) };
+      };
+      const before = await read();
+      // Where the page was used for something else, and where it opens for the first time.
+      await choose(page, "Solver", form.solver === "baseline" ? "legible" : "baseline");
+      await press(page, "Solve");
+      await addressHolds(page, (state) => state.tab === "solve");
+      await page.evaluate((other) => {
+        location.hash = other;
+      }, hash);
+      for (const again of [false, true]) {
+        if (again) await follow(page, hash);
+        await page.getByRole("tab", { name: "Steps", selected: true }).waitFor();
+        await statusIs(page, status);
+        await stepIs(page, step);
+        assert.deepEqual(await read(), before);
+        await openTab(page, "Steps");
+        assert.equal(await addressHolds(page, (state) => state.tab === "steps"), hash);
+      }
+    }));
+}
+
+test("a plan of another solver keeps its name, also where it is the best one's", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, grid());
+    await openTab(page, "Compare");
+    await press(page, "Compare all solvers");
+    await page.getByRole("button", { name: "Exact search", exact: true }).click();
+    const hash = await addressHolds(page, ({ title }) => title === "the plan of Exact search");
+    await follow(page, hash);
+    await page.getByText("On the boards: the plan of Exact search.").waitFor();
+  }));
+
+test("a link of the guessing game begins another round", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Play");
+    await press(page, "Start guessing");
+    await page.getByText("Which goal is it after?").waitFor();
+    const hash = await addressHolds(page, ({ mode, plan }) => mode === "guess" && plan === undefined);
+    await follow(page, hash);
+    await page.getByText("Which goal is it after?").waitFor();
+    assert.equal(await page.locator("[data-true-goal]").count(), 0);
   }));
 
 test("a named plan and its step come back", () =>

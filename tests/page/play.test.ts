@@ -150,6 +150,20 @@ test("as the enemy one sees the enemy's board alone, guesses, and is told", () =
     assert.deepEqual(await drawn(page), before);
   }));
 
+test("after a guess nothing is said to be the open problem's plan", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Play");
+    await press(page, "Start guessing");
+    await page.locator(".next button").first().click();
+    await page.getByText("The boards now show the whole way.").waitFor();
+    assert.equal(await page.locator('.plans [aria-pressed="true"]').count(), 0);
+    assert.equal(await page.getByText(/^Best possible/).count(), 0);
+    await press(page, "Leave the game");
+    await page.getByText(/^Best possible/).waitFor();
+    assert.equal(await page.locator('.plans [aria-pressed="true"]').count(), 1);
+  }));
+
 test("an edit ends the game", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");

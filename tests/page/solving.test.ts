@@ -28,6 +28,10 @@ test("numbers are stepped up and down between the limits that the scene sets", (
       page.getByRole("button", { name: "Raise k" }),
       page.getByRole("button", { name: "Lower k" }),
     ];
+    // Less than no bound can't be asked for.
+    assert(await lower.isDisabled());
+    await k.press("ArrowDown");
+    assert.equal(await k.inputValue(), "");
     for (const expected of ["2", "3", "4"]) {
       await raise.click();
       assert.equal(await k.inputValue(), expected);
@@ -38,6 +42,21 @@ test("numbers are stepped up and down between the limits that the scene sets", (
     for (const expected of ["2", "1", ""]) {
       await lower.click();
       assert.equal(await k.inputValue(), expected);
+    }
+    const j = page.getByLabel("Friend keeps at most");
+    const [more, fewer] = [
+      page.getByRole("button", { name: "Raise j" }),
+      page.getByRole("button", { name: "Lower j" }),
+    ];
+    assert(await more.isDisabled());
+    for (const expected of ["3", "2", "1"]) {
+      await fewer.click();
+      assert.equal(await j.inputValue(), expected);
+    }
+    assert(await fewer.isDisabled());
+    for (const expected of ["2", "3", "4", ""]) {
+      await more.click();
+      assert.equal(await j.inputValue(), expected);
     }
     await page.getByRole("button", { name: "One move shorter" }).click();
     // It begins at the length of the plan shown.
@@ -51,7 +70,7 @@ test("a number that can't be used is explained and changes nothing", () =>
     const before = await attribute(page, "data-gd");
     const k = page.getByLabel("Enemy keeps at least");
     await k.fill("many");
-    await page.getByText("A whole number of goals from 1 to 4, or nothing.").waitFor();
+    await page.getByText("A whole number of goals from 1 to 4; empty means “no bound”.").waitFor();
     assert.equal(await k.getAttribute("aria-invalid"), "true");
     assert.equal(await attribute(page, "data-gd"), before);
     assert.equal(await attribute(page, "data-status"), "optimal");

@@ -27,9 +27,9 @@ test("the table says of each step what the core says", () =>
       shown,
       trace.steps.map(({ action, symbols, beliefs, goals, goal_difference }, step) => [
         String(step),
-        action ?? "–",
+        action ?? "start",
         ...(["adversarial", "cooperative"] as const).flatMap((role) => [
-          symbols[role] ?? "–",
+          symbols[role] ?? "nothing yet",
           String(beliefs[role].length),
           goals[role].join(", ") || "none",
         ]),

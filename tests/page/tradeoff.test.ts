@@ -6,9 +6,9 @@ import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright-core";
 import { visit } from "./support/browser.js";
 import { example, solve } from "./support/core.js";
-import { endless, grid } from "./support/documents.js";
+import { endless, grid, laborious } from "./support/documents.js";
 import { attribute, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
-import { withKnownWorkers } from "./support/workers.js";
+import { holdCore, withDeafWorkers, withKnownWorkers } from "./support/workers.js";
 
 const pairs = (page: Page) => page.getByRole("group", { name: "Goals possible for the enemy against" });
 const lengths = (page: Page) => page.getByRole("group", { name: "The best goal difference of each plan length" });
@@ -209,6 +209,41 @@ test("a plan can be looked at while the solver goes on", () =>
     await press(page, "Cancel");
     await statusIs(page, "feasible");
   }));
+
+test("a worker that does not obey a stop is replaced, and the page says so", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await useDocument(page, laborious());
+      await openTab(page, "Solve");
+      await press(page, "Cancel");
+      await statusIs(page, "feasible", "limit");
+      await openTab(page, "Trade-off");
+      const work = page.locator(".at-work").getByText(/states looked at/);
+      await work.waitFor();
+      await press(page, "Stop");
+      await page.getByText("The solver did not stop when it was asked to; another took its place.").waitFor();
+      await page.getByText("by plans of at most 12 moves").waitFor();
+      const { outcome } = solve(laborious(), { solver: "exact", lengths: 12, pareto: true });
+      assert.equal(await pairs(page).getByRole("button").count(), outcome.pareto?.length);
+    },
+    { before: withDeafWorkers },
+  ));
+
+test("time that a worker takes to load is not taken from the time it may look", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      const { asked, release } = await holdCore(page);
+      await openTab(page, "Trade-off");
+      await asked;
+      await page.clock.runFor(20_000);
+      release();
+      await page.getByText("pairs can be reached, by plans of every length").waitFor();
+      assert.equal(await page.getByText("too many beliefs").count(), 0);
+    },
+    { before: (page) => page.clock.install() },
+  ));
 
 test("a lost worker is told, and another looks again", () =>
   visit(

@@ -83,6 +83,36 @@ export const explicit: string = JSON.stringify({
   },
 });
 
+/**
+ * Looks at every belief longer than memory lasts on machines of any speed: in each of a row of states a hundred actions
+ * look like one of two signs and do the same, and what a belief holds is which of the last forty signs were the one.
+ */
+export function laborious(): string {
+  const [length, ways] = [40, 100];
+  const transitions: [from: string, action: string, to: string][] = [];
+  for (let way = 0; way < ways; way += 1) {
+    transitions.push(["s0", `x${way}`, "s0"], ["s0", `o${way}`, "s0"], ["s0", `go x${way}`, "s1"]);
+    for (let index = 1; index < length; index += 1) {
+      transitions.push([`s${index}`, `x${way}`, `s${index + 1}`], [`s${index}`, `o${way}`, `s${index + 1}`]);
+    }
+  }
+  const sensor = transitions.map(([, action, to]) => [action, to, action.includes("x") ? "x" : "o"]);
+  const observer = {
+    initial_belief: ["s0"],
+    sensor: [...new Map(sensor.map((entry) => [String(entry), entry])).values()],
+  };
+  return JSON.stringify({
+    format: "explicit",
+    states: Array.from({ length: length + 1 }, (_, index) => `s${index}`),
+    actions: [...new Set(transitions.map(([, action]) => action))],
+    transitions,
+    initial_state: "s0",
+    goals: ["s0", "s1", `s${length}`].map((state) => ({ name: `at ${state}`, states: [state] })),
+    true_goal: "at s0",
+    observers: { adversarial: observer, cooperative: observer },
+  });
+}
+
 /** The paper's delivery. */
 export const figure1: string = delivery([2, 2], 2);
 

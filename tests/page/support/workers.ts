@@ -22,3 +22,21 @@ export const withKnownWorkers = (page: Page) =>
       }
     };
   `);
+
+/** Holds the core back from every worker that begins to load it from now on, until the page is told to let it go. */
+export async function holdCore(page: Page): Promise<{ asked: Promise<void>; release: () => void }> {
+  let release = (): void => undefined;
+  let ask = (): void => undefined;
+  const released = new Promise<void>((done) => {
+    release = done;
+  });
+  const asked = new Promise<void>((done) => {
+    ask = done;
+  });
+  await page.route("**/*.wasm", async (route) => {
+    ask();
+    await released;
+    await route.continue();
+  });
+  return { asked, release };
+}

@@ -33,7 +33,9 @@ export function gridForm(playground: Playground, document: GridworldDocument): T
 function side(playground: Playground, document: GridworldDocument, key: "width" | "height", label: string) {
   const save = (value: number) => {
     const size = { width: document.width, height: document.height, [key]: value };
-    const { document: changed, changes } = resized(document, size.width, size.height);
+    const fitted = resized(document, size.width, size.height);
+    if (typeof fitted === "string") return fitted;
+    const { document: changed, changes } = fitted;
     playground.editing.note.value = { text: inWords(changes), document: changed };
     return changed;
   };

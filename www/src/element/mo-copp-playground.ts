@@ -18,6 +18,7 @@ import { stepper } from "../stage/stepper.js";
 import { followSymbols } from "../stage/symbols.js";
 import { Playground } from "../state/playground.js";
 import { followRow } from "../steps/follow-row.js";
+import { cross } from "../view/icons.js";
 import { workbench } from "../workbench/workbench.js";
 import { SolverClient } from "../worker/client.js";
 import { Notifier } from "./events.js";
@@ -39,6 +40,8 @@ export class MoCoppPlayground extends SignalElement {
   private readonly drops = new DropTarget(this.playground);
   private readonly announcer = new Announcer(this.playground);
   private readonly keys = new PageKeys(this.playground, this);
+  /** Rows that got narrower have moved what was in sight. */
+  private readonly sizes = new ResizeObserver(() => followSymbols(this));
   private readonly notifier = new Notifier(this.playground, this);
   /** Whether the page's address is this playground's. */
   private sharing = false;
@@ -55,12 +58,14 @@ export class MoCoppPlayground extends SignalElement {
     this.drops.listen(this.sharing ? window : this);
     this.announcer.listen();
     this.keys.listen();
+    this.sizes.observe(this);
     document.addEventListener("keydown", this.shortcuts);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     document.removeEventListener("keydown", this.shortcuts);
+    this.sizes.disconnect();
     this.address.release();
     this.drops.release();
     this.announcer.release();
@@ -98,7 +103,15 @@ export class MoCoppPlayground extends SignalElement {
     const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
     const copier = this.sharing && !hidden.has("share") ? this.copier : null;
     return html`
-      <div class="error" role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
+      <div class="error">
+        <div role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
+        ${
+          error === null
+            ? nothing
+            : html`<button type="button" class="sign" aria-label="Close the message" title="Close the message"
+                @click=${() => playground.dismiss()}>${cross}</button>`
+        }
+      </div>
       ${show("gallery", () => held(playground, () => problemBar(playground, copier)))} ${show("tools", () => toolbar(playground))}
       ${stage(playground)}
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}

@@ -72,8 +72,9 @@ export class Gallery {
   /** Whether this is the named plan that is shown. */
   shows({ title, plan, trueGoal }: NamedPlan): boolean {
     const value = this.playground.document.value?.value;
-    if (value === undefined || this.playground.mode.value !== "plan") return false;
-    const { chosen } = this.playground;
+    const { chosen, guess, mode } = this.playground;
+    // Where a guess was made, the plan shown is that of the goal drawn.
+    if (value === undefined || mode.value !== "plan" || guess.round.value.kind !== "none") return false;
     if (!sameProblem(withTrueGoal(value, trueGoal), value)) return false;
     return plan === undefined ? chosen.value === null && this.isBest() : chosen.value === title;
   }

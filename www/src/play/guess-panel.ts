@@ -2,6 +2,7 @@
 import { html, type TemplateResult } from "lit";
 import type { Guess, Round } from "../state/guess.js";
 import type { Playground } from "../state/playground.js";
+import { brief } from "../view/names.js";
 
 export function guessPanel(playground: Playground): TemplateResult {
   const game = playground.guess;
@@ -33,12 +34,15 @@ function body(playground: Playground, game: Guess, round: Round): TemplateResult
     </p>
     <p id="${playground.workbench.id}-guess">Which goal is it after?</p>
     <ul class="next ${goals.length > 12 ? "many" : ""}" aria-labelledby="${playground.workbench.id}-guess">
-      ${goals.map(({ name }) => html`<li><button type="button" @click=${() => game.guess(name)}>${name}</button></li>`)}
+      ${goals.map(({ name }) => html`<li><button type="button" title=${name} @click=${() => game.guess(name)}>${name}</button></li>`)}
     </ul>`;
 }
 
 function told({ guess, goal, step, possible }: Extract<Round, { kind: "over" }>): TemplateResult {
-  const verdict = guess === goal ? html`<b>Right: it was ${goal}.</b>` : html`<b>No: it was ${goal}, not ${guess}.</b>`;
+  const verdict =
+    guess === goal
+      ? html`<b>Right: it was ${brief(goal)}.</b>`
+      : html`<b>No: it was ${brief(goal)}, not ${brief(guess)}.</b>`;
   const others =
     possible > 1
       ? `At step ${step} ${possible} goals were possible for the enemy: nobody could have known.`

@@ -1,17 +1,24 @@
 // Puts a playground into the state that a link holds.
+import { emptyForm } from "../state/form.js";
 import type { Playground } from "../state/playground.js";
 import { planShown, type SharedState } from "./shared-state.js";
 
 /** Nothing changes where the link's problem is not right: then the page says why, and false comes back. */
 export async function restore(playground: Playground, state: SharedState): Promise<boolean> {
-  if (!(await playground.open(state.document, state.form))) return false;
+  // What the link leaves out is as nobody touched it, whatever the page was used for before.
+  const form = { ...emptyForm, ...state.form };
+  if (!(await playground.open(state.document, form, state.answered ? "chosen" : "exact"))) return false;
   const opened = playground.document.value;
   if (state.tab !== "") playground.workbench.open(state.tab);
-  const { plan = [] } = state;
-  // Who had only begun to walk has no plan yet.
-  if (state.mode === "walk" || (plan.length > 0 && !same(plan, planShown(playground)))) {
-    await showPlan(playground, plan, state);
+  if (state.mode === "guess") {
+    // What the other was to guess is not in the link: another goal is drawn.
+    await playground.guess.start();
+    return true;
   }
+  const { plan = [], title } = state;
+  const other = plan.length > 0 && (title !== undefined || !same(plan, planShown(playground)));
+  // Who had only begun to walk has no plan yet.
+  if (state.mode === "walk" || other) await showPlan(playground, plan, state);
   // Somebody may have gone on already.
   if (playground.document.value === opened) playground.timeline.goTo(state.step);
   return true;

@@ -1,5 +1,5 @@
 // What a link holds: the problem, what is asked of the solver, the plan shown and the step, and what is open.
-import { emptyForm, type Form, solverNames } from "../state/form.js";
+import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
 import type { Mode, Playground } from "../state/playground.js";
 import { LinkError } from "./packed.js";
 
@@ -7,6 +7,8 @@ export interface SharedState {
   /** The document's text, as it is. */
   document: string;
   form: Partial<Form>;
+  /** The answer was that of the solver chosen, not of the exact search that goes before it: it is asked for again. */
+  answered?: true;
   /** The actions that are shown; left out while the enemy's player must not know them. */
   plan?: string[];
   /** Whose plan it is, where it is not the solver's. */
@@ -30,6 +32,7 @@ export function stateOf(playground: Playground): SharedState | null {
   return {
     document: document.text,
     form: changed(playground.form.value),
+    ...(answered(playground) ? { answered: true } : {}),
     ...(plan.length > 0 ? { plan } : {}),
     ...(title !== null ? { title } : {}),
     step: timeline.step.value,
@@ -41,6 +44,15 @@ export function stateOf(playground: Playground): SharedState | null {
 export function planShown({ timeline }: Playground): string[] {
   const steps = timeline.trace.value?.steps.slice(1) ?? [];
   return steps.flatMap(({ action }) => (action === null ? [] : [action]));
+}
+
+function answered({ form, result }: Playground): boolean {
+  const options = result.value?.options;
+  return (
+    options !== undefined &&
+    options.solver !== "exact" &&
+    JSON.stringify(options) === JSON.stringify(optionsOf(form.value))
+  );
 }
 
 /** What differs from a form that nobody touched. */
@@ -58,11 +70,12 @@ export function readState(text: string): SharedState {
     throw new LinkError("This link is damaged.");
   }
   if (typeof value !== "object" || value === null) throw new LinkError("This link is damaged.");
-  const { document, form, plan, title, step, tab, mode } = value as Record<string, unknown>;
+  const { document, form, answered, plan, title, step, tab, mode } = value as Record<string, unknown>;
   if (typeof document !== "string") throw new LinkError("This link is damaged: it holds no problem.");
   return {
     document,
     form: readForm(form),
+    ...(answered === true ? { answered } : {}),
     ...(isPlan(plan) ? { plan } : {}),
     ...(typeof title === "string" && title.length <= LONGEST_TITLE ? { title } : {}),
     step: typeof step === "number" && Number.isInteger(step) ? step : 0,

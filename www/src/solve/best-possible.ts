@@ -8,14 +8,18 @@ export function bestPossible(playground: Playground): TemplateResult {
   const shown = playground.difference.value;
   const best = optimum?.outcome.goal_difference ?? null;
   const less = best !== null && shown !== null && shown < best - 1e-9;
+  if (isImpossible(playground)) return html`<p class="best">No plan can do what is asked.</p>`;
   return html`<p class="best">${optimum === null ? "Best possible: …" : words(optimum)}${
     less ? html` · <span class="less">this plan: <b>${shortNumber(shown)}</b></span>` : ""
   }</p>`;
 }
 
+/** It is proved that no plan does what is asked. */
+export const isImpossible = ({ optimum, result }: Playground): boolean =>
+  (optimum.value ?? result.value)?.outcome.status === "infeasible";
+
 function words({ options, outcome }: Result): TemplateResult {
   const { status, goal_difference, limit } = outcome;
-  if (status === "infeasible") return html`No plan can do what is asked.`;
   if (goal_difference === null) return html`Best possible: not known${limit === undefined ? "" : " (stopped)"}`;
   const value = html`<b>${shortNumber(goal_difference)}</b>`;
   if (status !== "optimal") return html`Best found: ${value}`;

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { glossaryLink } from "../help/glossary-link.js";
 import type { Term } from "../help/terms.js";
-import { type NumberName, numberIn, range } from "../state/numbers.js";
+import { type NumberName, numberIn, range, stepped } from "../state/numbers.js";
 import type { Playground } from "../state/playground.js";
 
 interface Words {
@@ -39,7 +39,7 @@ const words: Record<NumberName, Words> = {
   },
   horizon: {
     label: "Plan length",
-    open: "any",
+    open: "any length",
     about: "Plans of exactly so many moves.",
     lower: "One move shorter",
     raise: "One move longer",
@@ -48,7 +48,7 @@ const words: Record<NumberName, Words> = {
   },
   horizonStep: {
     label: "Raise by",
-    open: "not",
+    open: "not raised",
     about: "While no plan has that length, it is raised by so many moves.",
     lower: "Lower the step",
     raise: "Raise the step",
@@ -58,7 +58,7 @@ const words: Record<NumberName, Words> = {
 };
 
 const integerProgram: Partial<Record<NumberName, Partial<Words>>> = {
-  horizon: { open: "shortest", about: "Plans of exactly so many moves; left open, of the least that will do." },
+  horizon: { open: "the shortest", about: "Plans of exactly so many moves; left open, of the least that will do." },
 };
 
 /** `place` tells fields of the same number apart: two tabs can show it. */
@@ -67,7 +67,7 @@ export function numberField(playground: Playground, name: NumberName, place: str
   const form = playground.form.value;
   const scene = playground.scene.value;
   const said = { ...words[name], ...(form.solver === "ip" ? integerProgram[name] : {}) };
-  if (name === "horizonStep" && form.horizon === "") said.open = "1";
+  if (name === "horizonStep" && form.horizon === "") said.open = "by one";
   const drafted = playground.drafts.texts.value[name];
   const moves = playground.timeline.lastStep.value;
   const limits = scene === null ? null : range(name, scene, moves);
@@ -89,33 +89,32 @@ export function numberField(playground: Playground, name: NumberName, place: str
     if (number === null) playground.drafts.drop(name);
     else set(String(Math.min(limits.most, Math.max(limits.least, number))));
   };
-  const by = (change: number) => () => {
-    if (limits === null) return;
-    const next = value === null ? limits.first : Math.min(limits.most, value + change);
-    // Below the least lies "no bound".
-    set(value !== null && next < limits.least && name !== "horizon" ? "" : String(Math.max(limits.least, next)));
+  const target = (change: 1 | -1) => (limits === null ? undefined : stepped(name, value, change, limits));
+  const by = (change: 1 | -1) => () => {
+    const next = target(change);
+    if (next !== undefined) set(String(next));
   };
   const keys = (event: KeyboardEvent) => {
-    const change = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    if (change === undefined) return;
+    const change = event.key === "ArrowUp" ? 1 : event.key === "ArrowDown" ? -1 : 0;
+    if (change === 0) return;
     event.preventDefault();
     by(change)();
   };
   return html`<div class="number">
     <label for=${id}>${glossaryLink(said.term, said.label)}</label>
     <div class="stepped">
-      <button type="button" class="sign" aria-label=${said.lower} ?disabled=${limits === null || (name === "horizon" && value === 0)}
+      <button type="button" class="sign" aria-label=${said.lower} ?disabled=${target(-1) === undefined}
         @click=${by(-1)}><span aria-hidden="true">−</span></button>
       <input id=${id} type="text" inputmode="numeric" autocomplete="off" name=${name} placeholder=${said.open}
         aria-describedby="${id}-about" aria-invalid=${drafted === undefined ? nothing : "true"}
         .value=${live(drafted ?? form[name])} @input=${typed} @change=${left} @keydown=${keys} />
-      <button type="button" class="sign" aria-label=${said.raise} ?disabled=${limits === null || value === limits.most}
+      <button type="button" class="sign" aria-label=${said.raise} ?disabled=${target(1) === undefined}
         @click=${by(1)}><span aria-hidden="true">+</span></button>
     </div>
     <small id="${id}-about">${
       drafted === undefined || limits === null
         ? said.about
-        : html`<span class="invalid">A whole number of ${said.kind} from ${limits.least} to ${limits.most}, or nothing.</span>`
+        : html`<span class="invalid">A whole number of ${said.kind} from ${limits.least} to ${limits.most}; empty means “${said.open}”.</span>`
     }</small>
   </div>`;
 }

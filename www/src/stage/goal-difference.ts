@@ -1,7 +1,7 @@
 // The goal difference at the step shown, and what it is made of.
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
-import { bestPossible } from "../solve/best-possible.js";
+import { bestPossible, isImpossible } from "../solve/best-possible.js";
 import type { Playground } from "../state/playground.js";
 import { shortNumber } from "../view/numbers.js";
 
@@ -13,20 +13,21 @@ export function goalDifference(playground: Playground): TemplateResult | "" {
   const value = shortNumber(shown.value.goal_difference);
   const final = playground.difference.value;
   const atEnd = step.value === lastStep.value;
-  const now =
-    final === null
-      ? playground.mode.value === "walk"
-        ? "You are not at the true goal."
-        : "No plan yet."
-      : atEnd
-        ? "The plan ends here."
-        : `At the end: ${shortNumber(final)}.`;
+  const walking = playground.mode.value === "walk";
+  const waiting = playground.status.value === "solving" ? "Looking for a plan." : "No plan yet.";
+  // That there can be no plan is said beside it.
+  const lacking = walking ? "You are not at the true goal." : isImpossible(playground) ? "" : waiting;
+  const now = final === null ? lacking : atEnd ? "The plan ends here." : `At the end: ${shortNumber(final)}.`;
   return html`<div class="difference">
     <p class="value"><span>${glossaryLink("goal-difference", "Goal difference")}</span> <b>${value}</b></p>
     <p class="parts" title="goals possible for the enemy minus goals possible for the friend, over the number of goals minus one">
-      (<b class="enemy">${adversarial.length}</b> for the enemy − <b class="friend">${cooperative.length}</b> for the
-      friend) ÷ (${scene.goals.length} − 1)
+      <span class="bracket">(<b class="enemy">${adversarial.length}</b> for the enemy −
+        <b class="friend">${cooperative.length}</b> for the friend)</span>
+      <span class="bracket">÷ (${scene.goals.length} − 1)</span>
     </p>
-    <div class="after"><p class="final">${now}</p> ${bestPossible(playground)}</div>
+    <div class="after">${now === "" ? nothing : html`<p class="final">${now}</p>`} ${
+      // Of the problem that is open, not of the goal that was drawn.
+      playground.guess.round.value.kind === "none" ? bestPossible(playground) : nothing
+    }</div>
   </div>`;
 }

@@ -29,8 +29,8 @@ export function goalList(playground: Playground): TemplateResult | "" {
           <th scope="row">
             ${
               guessing
-                ? html`<span class="name">${goal.name}</span>`
-                : html`<button type="button" class="choose name" title="Show when it dies"
+                ? html`<span class="name" title=${goal.name}>${goal.name}</span>`
+                : html`<button type="button" class="choose name" title="${goal.name}: show when it dies"
                     @click=${() => playground.story.choose(goal.name)}>${goal.name}</button>`
             }
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}

@@ -13,7 +13,7 @@ const heads: Record<BoardName, [icon: TemplateResult, title: string]> = {
 export function panelHead(name: BoardName, playground: Playground): TemplateResult {
   const [icon, title] = heads[name];
   return html`<h2>${icon}${title}</h2>
-    <p class="now">${now(name, playground)}</p>`;
+    <p class="latest">${now(name, playground)}</p>`;
 }
 
 function now(name: BoardName, { timeline, mode }: Playground): TemplateResult | string {
@@ -22,8 +22,8 @@ function now(name: BoardName, { timeline, mode }: Playground): TemplateResult | 
   if (name === "actor") {
     const who = mode.value === "walk" ? "You" : "The agent";
     if (shown.action === null) return `${who} ${mode.value === "walk" ? "stand" : "stands"} at the start.`;
-    return html`${who} did <b>${shown.action}</b>.`;
+    return html`${who} did <b title=${shown.action}>${shown.action}</b>.`;
   }
   const symbol = shown.symbols[name];
-  return symbol === null ? "Has seen nothing yet." : html`Was told <b>${symbol}</b>.`;
+  return symbol === null ? "Has seen nothing yet." : html`Was told <b title=${symbol}>${symbol}</b>.`;
 }

@@ -23,7 +23,7 @@ export function survivors(role: Role, { scene, shown }: BoardInput, { story, mod
       ${goals.map(
         (goal) => html`<li class=${goal.alive[role] ? "alive" : "dead"} data-goal=${goal.name}
           data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
-          ?data-true-goal=${goal.isTrue} title="Show when it dies" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
+          ?data-true-goal=${goal.isTrue} title="${goal.name}: show when it dies" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
           ${goal.alive[role] ? possible : ruledOut}<span class="name">${goal.name}</span>${goal.isTrue ? star : ""}
           <span class="unseen">${goal.alive[role] ? "possible" : "not possible now"}</span>
         </li>`,

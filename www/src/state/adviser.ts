@@ -3,6 +3,7 @@
 import { effect, signal } from "@preact/signals-core";
 import type { Advice } from "../core.js";
 import { SolverClient } from "../worker/client.js";
+import { runWithin } from "../worker/patience.js";
 import type { Task } from "../worker/protocol.js";
 import { exactOptions } from "./form.js";
 import type { OpenDocument, Playground, Result } from "./playground.js";
@@ -45,10 +46,7 @@ export class Adviser {
     if (ending.kind === "advised" && this.playground.result.peek() === result) this.advice.value = ending.advice;
   }
 
-  private async run(task: Task) {
-    const timer = setTimeout(() => this.client.cancel(), PATIENCE_MS);
-    const ending = await this.client.run(task);
-    clearTimeout(timer);
-    return ending;
+  private run(task: Task) {
+    return runWithin(this.client, task, { milliseconds: PATIENCE_MS });
   }
 }

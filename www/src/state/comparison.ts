@@ -2,6 +2,7 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Progress, SolveOptions } from "../core.js";
 import { type Ending, SolverClient } from "../worker/client.js";
+import { runWithin } from "../worker/patience.js";
 import { emptyForm, type Form, optionsOf, solvers } from "./form.js";
 import type { OpenDocument, Playground, Result } from "./playground.js";
 import { Stopwatch } from "./stopwatch.js";
@@ -117,18 +118,22 @@ export class Comparison {
     this.change(index, { state: "running" });
     this.progress.value = null;
     this.stopwatch.start();
-    const patience = this.patience.peek();
-    const timer = Number.isFinite(patience) ? setTimeout(() => this.outOfTime(), patience * 1000) : undefined;
-    const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) => {
-      if (update.kind === "progress") this.progress.value = update.progress;
-    });
-    clearTimeout(timer);
+    const ending = await runWithin(
+      this.client,
+      { kind: "solve", document: document.text, options },
+      {
+        milliseconds: this.patience.peek() * 1000,
+        report: (update) => {
+          if (update.kind === "progress") this.progress.value = update.progress;
+          // Before, the worker was still loading.
+          if (update.kind === "started") this.stopwatch.start();
+        },
+        over: () => {
+          this.ended ??= "out of time";
+        },
+      },
+    );
     this.change(index, rowOf(ending, options, this.stopwatch.stop(), this.ended));
-  }
-
-  private outOfTime(): void {
-    this.ended ??= "out of time";
-    this.client.cancel();
   }
 
   private change(index: number, change: Partial<Row>): void {

@@ -2,19 +2,22 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
-import { emptyForm, exactOptions, type Form } from "./form.js";
+import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
 import { History } from "./history.js";
 import type { OpenDocument } from "./result.js";
 import { Session } from "./session.js";
 
 export abstract class Edits extends Session {
   readonly history = new History<OpenDocument>();
-  readonly canReset: ReadonlySignal<boolean> = computed(
-    () => this.origin.value !== null && this.origin.value.text !== this.document.value?.text,
-  );
+  readonly canReset: ReadonlySignal<boolean> = computed(() => {
+    const text = this.document.value?.text;
+    return this.origin.value !== null && text !== this.origin.value.text && text !== this.opening.value;
+  });
 
   /** The document as it was opened, before any edit. */
   private readonly origin = signal<OpenDocument | null>(null);
+  /** The text of a document that is being opened: it is shown before it is solved. */
+  private readonly opening = signal<string | null>(null);
   /** The document before the edit under way. */
   private before: OpenDocument | null = null;
 
@@ -23,8 +26,11 @@ export abstract class Edits extends Session {
     return (this.wanted ?? this.document.value)?.value ?? null;
   }
 
-  /** Opens a document and solves it. One that can't be read leaves everything as it was. */
-  async open(text: string, form: Partial<Form> = {}): Promise<boolean> {
+  /**
+   * Opens a document and solves it: exactly, or with the solver chosen. One that can't be read leaves everything as it
+   * was.
+   */
+  async open(text: string, form: Partial<Form> = {}, solver: "exact" | "chosen" = "exact"): Promise<boolean> {
     let value: ProblemDocument;
     try {
       value = JSON.parse(text);
@@ -40,22 +46,25 @@ export abstract class Edits extends Session {
     this.live.clear();
     this.before = null;
     this.wanted = document;
-    const options = exactOptions(this.form.value);
+    const exact = exactOptions(fitting);
+    const options = solver === "exact" ? exact : optionsOf(fitting);
     if (typeof options === "string") {
       this.refuse(options);
       return false;
     }
-    this.asked = JSON.stringify(options);
+    this.asked = JSON.stringify(exact);
     this.begin();
+    this.opening.value = text;
     await this.perform({ document, options, at: "end" });
+    if (this.document.value === document) this.origin.value = document;
+    if (this.opening.value === text) this.opening.value = null;
     if (this.document.value !== document) {
       // Another document may have been asked for meanwhile, with a form of its own.
       if (this.form.value === fitting && this.document.value === before) this.form.value = asked;
       return false;
     }
     if (before !== null && before.text !== text) this.history.record(before);
-    this.origin.value = document;
-    this.ran.value = null;
+    this.ran.value = solver === "exact" ? null : options.solver;
     return true;
   }
 

@@ -1,6 +1,7 @@
 // When a candidate goal dies for an observer, and which symbol killed it.
 import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Trace } from "../core.js";
+import { brief } from "../view/names.js";
 import { called, type Role, roles } from "../view/observers.js";
 import type { Timeline } from "./timeline.js";
 
@@ -60,7 +61,7 @@ function told(trace: Trace, goal: string): string {
     const who = `for the ${called[role]}`;
     if (end.kind === "never") return `${who} it is never possible`;
     if (end.kind === "lives") return `${who} it is possible at the end`;
-    return `${who} it dies at step ${end.step}, by the symbol “${end.symbol}”`;
+    return `${who} it dies at step ${end.step}, by the symbol “${brief(end.symbol)}”`;
   });
-  return `${goal}: ${parts.join("; ")}.`;
+  return `${brief(goal)}: ${parts.join("; ")}.`;
 }

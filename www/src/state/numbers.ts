@@ -37,6 +37,23 @@ export function numberIn(text: string, { least, most }: Range): number | undefin
   return value >= least && value <= most ? value : undefined;
 }
 
+/**
+ * What a step up or down leads to: "" leaves the number open; nothing where there is no such step. Without a bound, k
+ * asks for less than any number and j for more.
+ */
+export function stepped(
+  name: NumberName,
+  value: number | null,
+  change: 1 | -1,
+  { least, most, first }: Range,
+): number | "" | undefined {
+  const open = { k: -1, j: 1, horizon: 0, horizonStep: -1 }[name];
+  if (value === null) return change === open ? undefined : first;
+  const next = value + change;
+  if (next >= least && next <= most) return next;
+  return change === open ? "" : undefined;
+}
+
 /** The bounds that no longer fit a scene with fewer goals, brought back into its range; nothing where all fit. */
 export function fitted(form: Form, scene: Scene): Partial<Form> | null {
   const goals = scene.goals.length;

@@ -158,6 +158,13 @@ export abstract class Session {
     this.failed({ kind: "refused", message });
   }
 
+  /** The person has read what went wrong: what is shown is the last answer again. */
+  dismiss(): void {
+    if (this.status.value !== "error") return;
+    this.error.value = null;
+    this.status.value = this.result.value?.outcome.status ?? "idle";
+  }
+
   /** The core did not take the edit asked for. */
   protected abstract editRefused(): void;
 
@@ -225,6 +232,7 @@ export abstract class Session {
   }
 
   private update(document: OpenDocument, update: Update, at: Job["at"]): void {
+    if (update.kind === "started") return;
     batch(() => {
       if (update.kind === "progress") {
         this.progress.value = update.progress;

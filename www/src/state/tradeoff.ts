@@ -3,6 +3,7 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { LengthPoint, Outcome, Progress, SolveOptions } from "../core.js";
 import { type Ending, SolverClient } from "../worker/client.js";
+import { runWithin } from "../worker/patience.js";
 import type { OpenDocument, Playground } from "./playground.js";
 import { Stopwatch } from "./stopwatch.js";
 
@@ -43,6 +44,8 @@ export class Tradeoff {
   readonly error = signal<string | null>(null);
   /** Something was given up since it took long. */
   readonly cut = signal(false);
+  /** A worker did not stop when it was asked to, and another took its place. */
+  readonly replaced = signal(false);
   private readonly patience = signal(PATIENCE_S);
   private readonly client = new SolverClient();
   private run = 0;
@@ -104,6 +107,7 @@ export class Tradeoff {
     const solve = async (options: Omit<SolveOptions, "solver">): Promise<Solved | null> => {
       const ending = await this.solve(document, { ...options, solver: "exact" }, patience);
       if (run !== this.run) return null;
+      if (ending.kind === "solved" && ending.replaced) this.replaced.value = true;
       if (ending.kind === "solved") return ending.outcome;
       this.fail(ending);
       return null;
@@ -141,18 +145,23 @@ export class Tradeoff {
   private begin(): void {
     this.busy.value = true;
     this.cut.value = false;
+    this.replaced.value = false;
     this.error.value = null;
     this.progress.value = null;
     this.stopwatch.start();
   }
 
-  private async solve(document: OpenDocument, options: SolveOptions, patience: number): Promise<Ending> {
-    const timer = setTimeout(() => this.client.cancel(), patience * 1000);
-    const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) => {
-      if (update.kind === "progress") this.progress.value = update.progress;
-    });
-    clearTimeout(timer);
-    return ending;
+  private solve(document: OpenDocument, options: SolveOptions, patience: number): Promise<Ending> {
+    return runWithin(
+      this.client,
+      { kind: "solve", document: document.text, options },
+      {
+        milliseconds: patience * 1000,
+        report: (update) => {
+          if (update.kind === "progress") this.progress.value = update.progress;
+        },
+      },
+    );
   }
 
   private fail(ending: Ending): void {

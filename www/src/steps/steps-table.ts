@@ -55,15 +55,22 @@ function row(playground: Playground, step: StepRow, seen: readonly Role[], guess
   const current = step.step === timeline.step.value;
   return html`<tr aria-current=${current ? "step" : nothing} @click=${() => timeline.goTo(step.step)}>
     <th scope="row"><button type="button" class="link" aria-label="Step ${step.step}">${step.step}</button></th>
-    ${guessing ? nothing : html`<td>${step.action || "–"}</td>`}
+    ${guessing ? nothing : html`<td>${step.action === "" ? html`<span class="none">start</span>` : clipped(step.action)}</td>`}
     ${seen.map((role) => {
       const { symbol, states, goals } = step.observers[role];
-      return html`<td class=${role}>${symbol || "–"}</td><td class="number">${states}</td>
-        <td>${goals.length === 0 ? "none" : goals.length > MOST_NAMES ? `${goals.length} goals` : goals.join(", ")}</td>`;
+      return html`<td class=${role}>${symbol === "" ? html`<span class="none">nothing yet</span>` : clipped(symbol)}</td>
+        <td class="count">${states}</td>
+        <td>${goals.length === 0 ? "none" : goals.length > MOST_NAMES ? `${goals.length} goals` : listed(goals)}</td>`;
     })}
-    ${guessing ? nothing : html`<td class="number">${shortNumber(step.difference)}</td>`}
+    ${guessing ? nothing : html`<td class="count">${shortNumber(step.difference)}</td>`}
   </tr>`;
 }
+
+/** A long name is cut off for the eye alone. */
+const clipped = (name: string): TemplateResult => html`<span class="clipped" title=${name}>${name}</span>`;
+
+const listed = (names: readonly string[]) =>
+  names.map((name, index) => html`${index === 0 ? nothing : ", "}${clipped(name)}`);
 
 /** More would make rows that nobody reads; the boards and the file have them. */
 const MOST_NAMES = 8;

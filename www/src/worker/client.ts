@@ -8,7 +8,12 @@ import type { Answer, Message, Reply, Task, Update } from "./protocol.js";
 const PATIENCE_MS = 2000;
 
 /** How a task ended, as the page sees it: the worker's answer, or one of the two ends that a worker can't tell. */
-export type Ending = Exclude<Answer, { kind: "broken" }> | { kind: "stale" } | { kind: "lost"; message: string };
+export type Ending =
+  | Exclude<Answer, { kind: "broken" | "solved" }>
+  /** `replaced`: the worker did not obey a cancel, and another took its place. */
+  | (Extract<Answer, { kind: "solved" }> & { replaced?: true })
+  | { kind: "stale" }
+  | { kind: "lost"; message: string };
 
 interface Current {
   id: number;
@@ -97,6 +102,7 @@ export class SolverClient {
       return;
     } else if (reply.kind === "started") {
       clearTimeout(this.current.startBy);
+      this.current.report(reply);
     } else if (reply.kind === "progress") {
       this.current.last = reply.progress;
       this.current.report(reply);
@@ -141,6 +147,7 @@ export class SolverClient {
     const { scene, start } = opened;
     const solved = (trace: Trace | null): Ending => ({
       kind: "solved",
+      replaced: true,
       scene,
       outcome: keptOutcome(task.options, last, trace),
       trace: trace ?? start,

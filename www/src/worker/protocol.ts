@@ -25,8 +25,10 @@ export type Fault = Pick<DocumentError, "message" | "place" | "path" | "line" | 
 /** An outcome that may lack figures: one that was put together after its worker was lost has none. */
 export type Answered = Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> };
 
-/** What a worker tells while it solves. */
+/** What a worker tells while it is at a task. */
 export type Update =
+  /** The task is taken up. */
+  | { kind: "started" }
   | { kind: "progress"; progress: Progress }
   /** The document is right; solving takes longer, or cannot start. */
   | { kind: "opened"; scene: Scene; start: Trace };
@@ -47,8 +49,4 @@ export type Answer =
 /** Worker to page. */
 export type Reply =
   /** The core is loaded. */
-  | { kind: "ready" }
-  /** The task is taken up. */
-  | { kind: "started"; id: number }
-  | (Answer & { id: number })
-  | (Update & { id: number });
+  { kind: "ready" } | (Answer & { id: number }) | (Update & { id: number });

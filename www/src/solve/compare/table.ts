@@ -28,6 +28,8 @@ function line(playground: Playground, row: Row, outdated: boolean): TemplateResu
   const shown = !outdated && plan !== null && playground.chosen.value === planTitle(row);
   const cell = (label: string, content: unknown, kind = "") =>
     html`<td role="cell" class=${kind} data-label=${label}>${content}</td>`;
+  // Who has answered without a plan has none; the others have said nothing yet.
+  const none = row.state === "answered" ? html`<span class="none">none</span>` : "";
   return html`<tr role="row" data-state=${row.state} data-shown=${shown || nothing}>
     <th role="rowheader" scope="row">
       ${
@@ -39,10 +41,10 @@ function line(playground: Playground, row: Row, outdated: boolean): TemplateResu
       ${row.entrant.note === undefined ? nothing : html`<small class="slow">${row.entrant.note}</small>`}
     </th>
     ${cell("Answer", answer(row), "answer")}
-    ${cell("Goal difference", outcome?.goal_difference == null ? "–" : difference(outcome.goal_difference), "figure gd")}
-    ${cell("Enemy", outcome?.goals?.adversarial.length ?? "–", "figure enemy")}
-    ${cell("Friend", outcome?.goals?.cooperative.length ?? "–", "figure friend")}
-    ${cell("Moves", plan?.length ?? "–", "figure")} ${cell("Time", row.seconds === undefined ? "–" : duration(row.seconds), "figure")}
+    ${cell("Goal difference", outcome?.goal_difference == null ? none : difference(outcome.goal_difference), "figure gd")}
+    ${cell("Enemy", outcome?.goals?.adversarial.length ?? none, "figure enemy")}
+    ${cell("Friend", outcome?.goals?.cooperative.length ?? none, "figure friend")}
+    ${cell("Moves", plan?.length ?? none, "figure")} ${cell("Time", row.seconds === undefined ? "" : duration(row.seconds), "figure")}
   </tr>`;
 }
 

@@ -16,7 +16,7 @@ const SLOW_S = 0.3;
 
 export function tradeoff(playground: Playground): TemplateResult {
   const state = playground.tradeoff;
-  const { pairs, lengths, busy, stopwatch, error, cut } = state;
+  const { pairs, lengths, busy, stopwatch, error, cut, replaced } = state;
   const slow = busy.value && stopwatch.seconds.value > SLOW_S;
   const old = !state.current.value && (slow || error.value !== null);
   return html`<div class="tradeoff">
@@ -38,6 +38,11 @@ export function tradeoff(playground: Playground): TemplateResult {
       ${pairs.value === null ? nothing : pairsPart(playground, pairs.value)}
       ${lengths.value === null ? nothing : lengthsPart(playground, lengths.value)}
     </div>
+    <div role="status">${
+      replaced.value
+        ? html`<p class="cut">The solver did not stop when it was asked to; another took its place.</p>`
+        : nothing
+    }</div>
     ${
       cut.value && !busy.value
         ? html`<p class="cut">There are too many beliefs to look at every plan in so short a time.

@@ -7,8 +7,11 @@ import type { BoardName } from "../board-input.js";
 import { type DeliveryInput, isLoaded, loadedShares, packagesOf } from "./facts.js";
 import { cardsOf, goalCards } from "./goals.js";
 import { AREA, layoutOf, ROAD, WIDTH } from "./layout.js";
-import { shelfPackage } from "./package.js";
+import { shelfPackage, shortened } from "./package.js";
 import { truck } from "./truck.js";
+
+/** A longer name would run into the roof. */
+const LONGEST_FACTORY = 7;
 
 export function deliveryBoard(name: BoardName, input: DeliveryInput, _playground: Playground): TemplateResult {
   const layout = layoutOf(input.scene);
@@ -19,11 +22,12 @@ export function deliveryBoard(name: BoardName, input: DeliveryInput, _playground
   return html`<svg class="board delivery" data-board=${name} viewBox=${box} role="img" aria-label=${described(name, input)}>
     <path class="road" d="M${ROAD - 0.3} ${layout.height / 2}H${AREA}"></path>
     <rect class="area" x=${AREA} y="0.1" width=${WIDTH - AREA - 0.1} height=${layout.height - 0.2} rx="0.3"></rect>
-    <text class="place" x=${(AREA + WIDTH) / 2 - 0.05} y="0.75">delivery area</text>
+    <text class="place" x=${(AREA + WIDTH) / 2 - 0.05} y="0.7">delivery area</text>
     ${layout.factories.map(
       ({ x, y, width, height, name: factory, packages }) => svg`<g class="factory">
         <path class="walls" d="M${x} ${y + height}V${y + 0.45}l0.6 -0.35v0.35l0.6 -0.35v0.35l0.6 -0.35v0.35H${x + width}V${y + height}z"></path>
-        <text class="place" x=${x + width - 0.25} y=${y + 0.4}>${factory}</text>
+        <title>Factory ${factory}</title>
+        <text class="place" x=${x + width - 0.25} y=${y + 0.3}>${shortened(factory, LONGEST_FACTORY)}</text>
         ${packages.map((spot) => shelfPackage(spot.name, spot, shares.get(spot.name) ?? 0, name === "actor"))}
       </g>`,
     )}

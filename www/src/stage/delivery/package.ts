@@ -21,22 +21,27 @@ export function shelfPackage(name: string, { x, y }: Spot, share: number, known:
     <rect class="box" width="1" height="1" rx="0.12"></rect>
     ${share > 0 && share < 1 ? svg`<rect class="share" y=${1 - share} width="1" height=${share} rx="0.12"></rect>` : nothing}
     <path class="tape" d="M0 0.3h1"></path>
-    <text x="0.5" y="0.78">${shortened(name)}</text>
-    ${share > 0 && share < 1 ? svg`<text class="doubt" x="0.86" y="0.25">?</text>` : nothing}
+    ${label(name)}
+    ${share > 0 && share < 1 ? svg`<text class="doubt" x="0.85" y="0.24">?</text>` : nothing}
   </g>`;
 }
 
 /** A small one, `size` wide, with what is known of it. */
-export function smallPackage(label: string, title: string, { x, y }: Spot, size: number, kind: string) {
+export function smallPackage(name: string, title: string, { x, y }: Spot, size: number, kind: string) {
   return svg`<g class="package ${kind}" transform="translate(${x} ${y}) scale(${size})">
     <title>${title}</title>
     <rect class="box" width="1" height="1" rx="0.12"></rect>
     <path class="tape" d="M0 0.3h1"></path>
-    <text x="0.5" y="0.78">${shortened(label)}</text>
+    ${label(name)}
   </g>`;
 }
 
-export function shortened(name: string): string {
+function label(name: string) {
+  const text = shortened(name, LONGEST);
+  return svg`<text class=${Array.from(text).length > 2 ? "long" : ""} x="0.5" y="0.78">${text}</text>`;
+}
+
+export function shortened(name: string, longest: number): string {
   const letters = Array.from(name);
-  return letters.length <= LONGEST ? name : `${letters.slice(0, LONGEST - 1).join("")}…`;
+  return letters.length <= longest ? name : `${letters.slice(0, longest - 1).join("")}…`;
 }

@@ -14,7 +14,9 @@ export function truck(name: BoardName, input: DeliveryInput, layout: Layout) {
   const width = bedWidth(room);
   const high = bedRows(room) * 0.62;
   const factory = typeof known === "number" ? layout.factories[known] : undefined;
-  const x = known === "delivery area" ? AREA + 0.45 : factory === undefined ? ROAD + 0.55 : ROAD - 0.15;
+  // A long truck on the road keeps out of the delivery area.
+  const onRoad = Math.min(ROAD + 0.55, AREA - width - 1.1);
+  const x = known === "delivery area" ? AREA + 0.45 : factory === undefined ? onRoad : ROAD - 0.15;
   const y = factory === undefined ? layout.height / 2 + high / 2 : factory.y + factory.height / 2 + high / 2 + 0.2;
   const floor = Math.min(layout.height - 0.45, Math.max(high + 0.5, y));
   return svg`<g class="truck" transform="translate(${x} ${floor})">

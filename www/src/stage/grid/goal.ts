@@ -12,13 +12,14 @@ const LONGEST_LABEL = 3;
 
 export function goalMark(board: BoardName, goal: GoalView, [column, row]: Cell, scale: number) {
   const look = board === "actor" ? "plain" : goal.attributes[board];
+  const label = shortened(goal.name);
   return svg`<g class="goal ${look}" transform=${`translate(${column + 0.5} ${row + 0.5})${scale === 1 ? "" : ` scale(${scale})`}`}
       data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
       data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
     <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
     <rect class="badge" x="-0.35" y="-0.27" width="0.7" height="0.54" rx="0.16"></rect>
     ${look === "dead" ? svg`<line class="strike" x1="-0.33" y1="0.27" x2="0.33" y2="-0.27"></line>` : nothing}
-    <text class="label" y="0.115">${shortened(goal.name)}</text>
+    <text class="label ${label.length > 2 ? "long" : ""}" y="0.115">${label}</text>
     ${board === "actor" ? marks(goal, 0.3) : nothing}
     ${goal.isTrue ? svg`<path class="star" transform="translate(0.31 -0.29) scale(0.2)" d=${starPath}></path>` : nothing}
   </g>`;
