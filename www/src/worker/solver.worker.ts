@@ -1,6 +1,7 @@
 // The worker: the only place that runs the core. One task at a time; a newer one makes the older ones stale.
-import init, { Problem } from "../../pkg/mo_copp.js";
+import type { Problem } from "../../pkg/mo_copp.js";
 import type { SolveOptions } from "../core.js";
+import { type Core, loadLight, onCore } from "./cores.js";
 import { failure } from "./failure.js";
 import type { Answer, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
@@ -11,10 +12,10 @@ const SHOW_AFTER_MS = 60;
 
 let newest = 0;
 let cancelled = 0;
-let open: { document: string; problem: Problem } | null = null;
+let open: { core: Core; document: string; problem: Problem } | null = null;
 
 const post = (reply: Reply) => self.postMessage(reply);
-const loaded = init().then(() => post({ kind: "ready" }));
+const loaded = loadLight().then(() => post({ kind: "ready" }));
 // Each task waits for it and reports its failure; this only keeps the console quiet until one does.
 loaded.catch(() => undefined);
 
@@ -34,15 +35,18 @@ async function handle(task: Task, id: number): Promise<void> {
     await nextTurn();
     if (id !== newest) return;
     post({ kind: "started", id });
-    const answer = await perform(task, id);
-    if (id === newest) post({ ...answer, id });
+    const answer = await onCore(
+      (core) => perform(core, task, id),
+      () => id !== newest,
+    );
+    if (answer !== null && id === newest) post({ ...answer, id });
   } catch (error) {
     post({ ...failure(error), id });
   }
 }
 
-function perform(task: Task, id: number): Answer | Promise<Answer> {
-  const problem = opened(task.document);
+function perform(core: Core, task: Task, id: number): Answer | Promise<Answer> {
+  const problem = opened(core, task.document);
   switch (task.kind) {
     case "trace":
       return { kind: "traced", trace: problem.trace(task.plan) };
@@ -55,11 +59,11 @@ function perform(task: Task, id: number): Answer | Promise<Answer> {
   }
 }
 
-function opened(document: string): Problem {
-  if (open?.document !== document) {
-    const problem = new Problem(document);
+function opened(core: Core, document: string): Problem {
+  if (open?.core !== core || open.document !== document) {
+    const problem = new core.Problem(document);
     open?.problem.free();
-    open = { document, problem };
+    open = { core, document, problem };
   }
   return open.problem;
 }
