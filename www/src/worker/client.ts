@@ -30,6 +30,11 @@ export class SolverClient {
   private lastId = 0;
   private current: Current | null = null;
 
+  /** Has the worker load the core, for the task that will come. */
+  prepare(): void {
+    this.worker ??= this.startWorker();
+  }
+
   /** Starts a task; any task before it becomes stale. */
   run(task: Task, report: (update: Update) => void = () => undefined): Promise<Ending> {
     this.finish({ kind: "stale" });
