@@ -173,3 +173,28 @@ test("a worker that never came up is not replaced over and over", async () => {
   void client.run(solve);
   assert.equal(ScriptedWorker.all.length, 2);
 });
+
+test("patience counts the time at work, not the time that fetching the full core takes", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const client = new SolverClient();
+  let expired = 0;
+  void client.run(solve, undefined, { milliseconds: 1000, expired: () => (expired += 1) });
+  mock.timers.tick(60_000);
+  ScriptedWorker.last.say({ kind: "started", id: 1 });
+  mock.timers.tick(900);
+  ScriptedWorker.last.say({ kind: "fetching", id: 1 });
+  mock.timers.tick(60_000);
+  assert.equal(expired, 0);
+  ScriptedWorker.last.say({ kind: "started", id: 1 });
+  mock.timers.tick(999);
+  assert.equal(expired, 0);
+  mock.timers.tick(1);
+  assert.equal(expired, 1);
+  // A task that has ended is waited for no more.
+  void client.run(solve, undefined, { milliseconds: 1000, expired: () => (expired += 1) });
+  ScriptedWorker.last.say({ kind: "started", id: 2 });
+  ScriptedWorker.last.say({ kind: "solved", id: 2, outcome, trace, scene });
+  mock.timers.tick(60_000);
+  assert.equal(expired, 1);
+  mock.timers.reset();
+});

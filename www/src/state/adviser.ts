@@ -45,10 +45,8 @@ export class Adviser {
     if (ending.kind === "advised" && this.playground.result.peek() === result) this.advice.value = ending.advice;
   }
 
-  private async run(task: Task) {
-    const timer = setTimeout(() => this.client.cancel(), PATIENCE_MS);
-    const ending = await this.client.run(task);
-    clearTimeout(timer);
-    return ending;
+  private run(task: Task) {
+    const patience = { milliseconds: PATIENCE_MS, expired: () => this.client.cancel() };
+    return this.client.run(task, undefined, patience);
   }
 }

@@ -118,11 +118,13 @@ export class Comparison {
     this.progress.value = null;
     this.stopwatch.start();
     const patience = this.patience.peek();
-    const timer = Number.isFinite(patience) ? setTimeout(() => this.outOfTime(), patience * 1000) : undefined;
-    const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) => {
-      if (update.kind === "progress") this.progress.value = update.progress;
-    });
-    clearTimeout(timer);
+    const ending = await this.client.run(
+      { kind: "solve", document: document.text, options },
+      (update) => {
+        if (update.kind === "progress") this.progress.value = update.progress;
+      },
+      Number.isFinite(patience) ? { milliseconds: patience * 1000, expired: () => this.outOfTime() } : null,
+    );
     this.change(index, rowOf(ending, options, this.stopwatch.stop(), this.ended));
   }
 

@@ -3,6 +3,7 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { LengthPoint, Outcome, Progress, SolveOptions } from "../core.js";
 import { type Ending, SolverClient } from "../worker/client.js";
+import type { Update } from "../worker/protocol.js";
 import type { OpenDocument, Playground } from "./playground.js";
 import { Stopwatch } from "./stopwatch.js";
 
@@ -146,13 +147,12 @@ export class Tradeoff {
     this.stopwatch.start();
   }
 
-  private async solve(document: OpenDocument, options: SolveOptions, patience: number): Promise<Ending> {
-    const timer = setTimeout(() => this.client.cancel(), patience * 1000);
-    const ending = await this.client.run({ kind: "solve", document: document.text, options }, (update) => {
+  private solve(document: OpenDocument, options: SolveOptions, patience: number): Promise<Ending> {
+    const report = (update: Update) => {
       if (update.kind === "progress") this.progress.value = update.progress;
-    });
-    clearTimeout(timer);
-    return ending;
+    };
+    const task = { kind: "solve", document: document.text, options } as const;
+    return this.client.run(task, report, { milliseconds: patience * 1000, expired: () => this.client.cancel() });
   }
 
   private fail(ending: Ending): void {

@@ -10,17 +10,25 @@ const PATIENCE_MS = 2000;
 /** How a task ended, as the page sees it: the worker's answer, or one of the two ends that a worker can't tell. */
 export type Ending = Exclude<Answer, { kind: "broken" }> | { kind: "stale" } | { kind: "lost"; message: string };
 
+/** When a task has worked for so long, `expired` is called. What it waits for before that, the network, does not count. */
+export interface Patience {
+  milliseconds: number;
+  expired: () => void;
+}
+
 interface Current {
   id: number;
   task: Task;
   report: (update: Update) => void;
   end: (ending: Ending) => void;
+  patience: Patience | null;
   last: Progress | null;
   /** The scene and the start, once the worker has told them. */
   opened: { scene: Scene; start: Trace } | null;
   /** When the worker is given up because it has not taken up the task, and because it has not answered a cancel. */
   startBy?: ReturnType<typeof setTimeout>;
   cancelBy?: ReturnType<typeof setTimeout>;
+  expireBy?: ReturnType<typeof setTimeout>;
 }
 
 export class SolverClient {
@@ -36,11 +44,15 @@ export class SolverClient {
   }
 
   /** Starts a task; any task before it becomes stale. */
-  run(task: Task, report: (update: Update) => void = () => undefined): Promise<Ending> {
+  run(
+    task: Task,
+    report: (update: Update) => void = () => undefined,
+    patience: Patience | null = null,
+  ): Promise<Ending> {
     this.finish({ kind: "stale" });
     return new Promise((end) => {
       this.lastId += 1;
-      const current: Current = { id: this.lastId, task, report, end, last: null, opened: null };
+      const current: Current = { id: this.lastId, task, report, end, patience, last: null, opened: null };
       this.current = current;
       this.send({ ...task, id: current.id });
       // One that is still loading takes as long as the network does.
@@ -102,6 +114,9 @@ export class SolverClient {
       return;
     } else if (reply.kind === "started") {
       clearTimeout(this.current.startBy);
+      this.expireLater(this.current);
+    } else if (reply.kind === "fetching") {
+      clearTimeout(this.current.expireBy);
     } else if (reply.kind === "progress") {
       this.current.last = reply.progress;
       this.current.report(reply);
@@ -113,11 +128,18 @@ export class SolverClient {
     }
   }
 
+  private expireLater(current: Current): void {
+    clearTimeout(current.expireBy);
+    if (current.patience !== null)
+      current.expireBy = setTimeout(current.patience.expired, current.patience.milliseconds);
+  }
+
   private finish(ending: Ending): void {
     const current = this.current;
     this.current = null;
     clearTimeout(current?.startBy);
     clearTimeout(current?.cancelBy);
+    clearTimeout(current?.expireBy);
     current?.end(ending);
   }
 
@@ -136,8 +158,9 @@ export class SolverClient {
   }
 
   /** Ends a worker that does not obey, and has another replay the best plan that was reported. */
-  private giveUpOn({ task, last, opened, end, startBy }: Current): void {
+  private giveUpOn({ task, last, opened, end, startBy, expireBy }: Current): void {
     clearTimeout(startBy);
+    clearTimeout(expireBy);
     this.stopWorker();
     if (task.kind !== "solve" || opened === null) {
       this.finish({ kind: "refused", message: "Cancelled before there was anything to show." });

@@ -16,7 +16,7 @@ const NOT_LOADED =
   "Check the connection, then try again.";
 
 let current = light;
-let fetching: Promise<void> | null = null;
+let loading: Promise<void> | null = null;
 
 /** Loads the light core. */
 export const loadLight = (): Promise<unknown> => initLight();
@@ -24,27 +24,38 @@ export const loadLight = (): Promise<unknown> => initLight();
 /** Whether an error is the light core's word that the full one is needed. */
 const needsFullCore = (error: unknown) => error instanceof Error && error.name === "NeedsFullCore";
 
-/** Has the current core do some work; where that takes the full one, fetches it and begins again. */
-export async function onCore<T>(work: (core: Core) => T | Promise<T>, stale: () => boolean): Promise<T | null> {
+/**
+ * Has the current core do some work; where that takes the full one, fetches it and begins again. `begun` is told of each
+ * beginning, `fetching` of the wait between them; null is the answer when the work has become `stale` meanwhile.
+ */
+export async function onCore<T>(
+  work: (core: Core) => T | Promise<T>,
+  { begun, fetching, stale }: { begun: () => void; fetching: () => void; stale: () => boolean },
+): Promise<T | null> {
+  begun();
   try {
     return await work(current);
   } catch (error) {
     if (!needsFullCore(error)) throw error;
   }
+  // Loading takes as long as the network does: nobody may be waiting in the end.
+  if (stale()) return null;
+  fetching();
   await toFullCore();
-  // Loading takes as long as the network does: nobody may be waiting any more.
-  return stale() ? null : work(current);
+  if (stale()) return null;
+  begun();
+  return work(current);
 }
 
 /** One load for all who wait for it; a load that failed is tried again by the next. */
 async function toFullCore(): Promise<void> {
-  fetching ??= initFull().then(() => {
+  loading ??= initFull().then(() => {
     current = full;
   });
   try {
-    await fetching;
+    await loading;
   } catch {
-    fetching = null;
+    loading = null;
     // Not one of the errors that say that a core is broken: the light one is as good as before.
     throw new Error(NOT_LOADED);
   }

@@ -42,7 +42,9 @@ export type Answer =
 export type Reply =
   /** The core is loaded. */
   | { kind: "ready" }
-  /** The task is taken up. */
+  /** The task is taken up, or taken up again. */
   | { kind: "started"; id: number }
+  /** The task takes the full core, which is being fetched. */
+  | { kind: "fetching"; id: number }
   | (Answer & { id: number })
   | (Update & { id: number });

@@ -34,11 +34,11 @@ async function handle(task: Task, id: number): Promise<void> {
     // Requests that came in the meantime are taken first, so that of many only the last is worked on.
     await nextTurn();
     if (id !== newest) return;
-    post({ kind: "started", id });
-    const answer = await onCore(
-      (core) => perform(core, task, id),
-      () => id !== newest,
-    );
+    const answer = await onCore((core) => perform(core, task, id), {
+      begun: () => post({ kind: "started", id }),
+      fetching: () => post({ kind: "fetching", id }),
+      stale: () => id !== newest,
+    });
     if (answer !== null && id === newest) post({ ...answer, id });
   } catch (error) {
     post({ ...failure(error), id });
