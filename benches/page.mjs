@@ -137,17 +137,25 @@ const transfer = (files) =>
 const longestTask = (page) => page.evaluate("longTasks.reduce((most, { duration }) => Math.max(most, duration), 0)");
 const overLimit = (longest) => (longest === 0 ? "none over 50 ms" : ms(longest));
 
-async function useDocument(page, document) {
+async function useDocument(page, document, status = "optimal") {
   await page.getByRole("tab", { name: "Document" }).click();
   await page.getByLabel("Problem document (JSON)").fill(JSON.stringify(document));
   await page.getByRole("button", { name: "Use this problem" }).click();
-  await page.waitForSelector("mo-copp-playground[data-status=optimal]");
+  await page.waitForSelector(`mo-copp-playground[data-status=${status}]`);
 }
 
 /** Watches the page's thread during solves that take long and report how far they are. */
 async function longSolves(document) {
   const { context, page } = await load();
   await useDocument(page, document);
+  // An enemy who knows nothing of the start: an exact search without end, which reports ten times a second.
+  const walls = document.walls.map(String);
+  const cells = Array.from({ length: side * side }, (_, index) => [index % side, Math.floor(index / side)]);
+  const anywhere = { initial_belief: cells.filter((cell) => !walls.includes(String(cell))), ...paper.adversarial };
+  const endless = {
+    ...document,
+    observers: { adversarial: anywhere, cooperative: { ...anywhere, ...paper.cooperative } },
+  };
   const button = (name) => page.getByRole("button", { name, exact: true });
   const watch = async (name, begin) => {
     await page.evaluate("longTasks.length = reports = 0");
@@ -158,6 +166,8 @@ async function longSolves(document) {
     await page.waitForSelector("mo-copp-playground:not([data-status=solving])");
     line(`longest task while solving: ${name}`, `${overLimit(longest)}, ${reports} reports`, "50 ms");
   };
+  await watch("32×32, exact, everybody in doubt", () => useDocument(page, endless, "solving"));
+  await useDocument(page, document);
   await page.getByRole("tab", { name: "Solve", exact: true }).click();
   for (const encoding of ["belief-flow", "paper"]) {
     await page.getByLabel("Solver").selectOption("ip");
