@@ -1,4 +1,4 @@
-// `npm run build`: the wasm package into www/pkg, then the page into dist/.
+// `npm run build`: the wasm packages into www/pkg and www/pkg-light, then the page into dist/.
 import { buildPage } from "./lib/build-page.mjs";
 import { buildWasm } from "./lib/build-wasm.mjs";
 import { setUp } from "./setup/all.mjs";

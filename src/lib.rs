@@ -17,11 +17,12 @@ pub mod belief;
 pub mod bindings;
 pub mod document;
 pub mod domain;
-#[cfg(not(target_arch = "wasm32"))]
+#[cfg(all(feature = "full", not(target_arch = "wasm32")))]
 pub mod experiment;
 pub mod goal_difference;
 pub mod heuristic;
 pub mod limits;
+#[cfg(feature = "full")]
 pub mod pddl;
 pub mod plan;
 pub mod problem;

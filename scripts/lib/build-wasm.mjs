@@ -1,40 +1,60 @@
-// The Rust core, built for the browser into www/pkg. Nothing is done while what it is made from has not changed:
-// cargo would see that too, but wasm-opt would run again each time.
+// The Rust core, built for the browser: the full one into www/pkg, and the light one, with which the page begins, into
+// www/pkg-light. Nothing is done while what they are made from has not changed: cargo would see that too, but wasm-opt
+// would run again each time.
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join, relative } from "node:path";
-import { inRoot, root, tools, wasmPackage } from "./paths.mjs";
+import { inRoot, lightWasmPackage, root, tools, wasmPackage } from "./paths.mjs";
 import { read, run } from "./run.mjs";
 
-const args = [
+const packages = [
+  { name: "full wasm package", file: "mo_copp", folder: wasmPackage, stamp: "wasm-made-from", cargo: [], env: {} },
+  {
+    name: "light wasm package",
+    file: "mo_copp_light",
+    folder: lightWasmPackage,
+    stamp: "light-wasm-made-from",
+    cargo: ["--no-default-features"],
+    // A folder of its own, so that the two are built side by side.
+    env: { CARGO_TARGET_DIR: inRoot("target", "light") },
+  },
+];
+
+const argsOf = ({ file, folder, cargo }) => [
   "build",
-  ...["--target", "web", "--out-dir", relative(root, wasmPackage), "--profile", "wasm-release"],
+  ...["--target", "web", "--out-dir", relative(root, folder), "--out-name", file, "--profile", "wasm-release"],
   // What wasm-pack writes for publishing (its .gitignore too) would only be in the way.
   ...["--no-pack", "--no-gitignore"],
   // Every tool is there by now; this one must not fetch its own.
   ...["--mode", "no-install"],
+  ...(cargo.length > 0 ? ["--", ...cargo] : []),
 ];
-const stamp = join(tools, "wasm-made-from");
 
 /** Builds where needed; resolves to the exit code. */
 export async function buildWasm() {
-  const now = fingerprint();
-  const built = join(wasmPackage, "mo_copp_bg.wasm");
+  const codes = await Promise.all(packages.map(buildOne));
+  return codes.find((code) => code !== 0) ?? 0;
+}
+
+async function buildOne(one) {
+  const now = fingerprint(one);
+  const stamp = join(tools, one.stamp);
+  const built = join(one.folder, `${one.file}_bg.wasm`);
   if (existsSync(built) && existsSync(stamp) && readFileSync(stamp, "utf8") === now) {
-    console.log("The wasm package is up to date.");
+    console.log(`The ${one.name} is up to date.`);
     return 0;
   }
-  rmSync(wasmPackage, { recursive: true, force: true });
-  const code = await run("wasm-pack", args);
+  rmSync(one.folder, { recursive: true, force: true });
+  const code = await run("wasm-pack", argsOf(one), { env: one.env });
   if (code !== 0) return code;
   mkdirSync(tools, { recursive: true });
   writeFileSync(stamp, now);
   return 0;
 }
 
-function fingerprint() {
+function fingerprint(one) {
   const hash = createHash("sha256");
-  hash.update(JSON.stringify([args, read("rustc", ["--version"]), read("wasm-pack", ["--version"])]));
+  hash.update(JSON.stringify([argsOf(one), read("rustc", ["--version"]), read("wasm-pack", ["--version"])]));
   for (const file of [inRoot("Cargo.toml"), inRoot("Cargo.lock"), ...filesUnder(inRoot("src"))]) {
     hash.update(`\0${relative(root, file)}\0`).update(readFileSync(file));
   }

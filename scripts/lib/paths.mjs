@@ -11,6 +11,7 @@ export const venv = join(tools, "venv");
 
 export const nodeModules = join(root, "node_modules");
 export const wasmPackage = join(root, "www", "pkg");
+export const lightWasmPackage = join(root, "www", "pkg-light");
 export const dist = join(root, "dist");
 
 export const inRoot = (...parts) => join(root, ...parts);

@@ -14,12 +14,18 @@ export const groups = { lint: ["lint"], rust: ["rust"], wasm: ["wasm"], page: ["
 const cargo = (args, env) => () => run("cargo", args, { env });
 const pythons = { MO_COPP_HIGHS_PYTHON: venvPython, MO_COPP_PYPERPLAN_PYTHON: venvPython };
 const wasmCrate = ["--target", wasmTarget, "--lib", "--test", "wasm"];
+const lightCrate = ["--target", wasmTarget, "--lib", "--no-default-features"];
 
 /** A step: its name, the groups it is in, the steps it can't do without, and how it runs (to an exit code). */
 export const steps = [
   { name: "Rust format", groups: ["lint"], run: cargo(["fmt", "--check"]) },
   { name: "Rust lint", groups: ["lint"], run: cargo(["clippy", "--all-targets", "--", "-D", "warnings"]) },
   { name: "Rust lint for wasm", groups: ["lint"], run: cargo(["clippy", ...wasmCrate, "--", "-D", "warnings"]) },
+  {
+    name: "Rust lint for the light wasm",
+    groups: ["lint"],
+    run: cargo(["clippy", ...lightCrate, "--", "-D", "warnings"]),
+  },
   { name: "Rust documentation", groups: ["lint"], run: cargo(["doc", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }) },
   { name: "Rust tests", groups: ["rust"], run: cargo(["test"], pythons) },
   // Release: a debug build of the solver can overflow the wasm stack, and it is what the page runs.
@@ -28,11 +34,11 @@ export const steps = [
     groups: ["wasm"],
     run: () => run("wasm-pack", ["test", "--node", "--release", "--mode", "no-install", ".", "--test", "wasm"]),
   },
-  { name: "wasm package", groups: ["lint", "page"], run: buildWasm },
+  { name: "wasm packages", groups: ["lint", "page"], run: buildWasm },
   // The page's types come from the wasm package.
-  { name: "TypeScript types", groups: ["lint"], needs: ["wasm package"], run: () => run("tsc", ["--noEmit"]) },
+  { name: "TypeScript types", groups: ["lint"], needs: ["wasm packages"], run: () => run("tsc", ["--noEmit"]) },
   { name: "TypeScript lint", groups: ["lint"], run: () => run("biome", ["check", "--error-on-warnings"]) },
-  { name: "Page build", groups: ["page"], needs: ["wasm package"], run: buildPage },
+  { name: "Page build", groups: ["page"], needs: ["wasm packages"], run: buildPage },
   { name: "Page tests in Chromium", groups: ["page"], needs: ["Page build"], run: pageTests },
 ];
 

@@ -6,6 +6,9 @@ use crate::document::{DocumentError, Place};
 use crate::plan::PlanError;
 use crate::solver::SolveError;
 
+/// What the page's light core throws at what only the full one can do.
+const NEEDS_FULL_CORE: &str = "NeedsFullCore";
+
 /// An `Error` of this name.
 pub(super) fn thrown(name: &str, message: &str) -> JsValue {
     let error = js_sys::Error::new(message);
@@ -23,16 +26,24 @@ pub(super) fn options(error: &dyn std::error::Error) -> JsValue {
     thrown("OptionsError", &error.to_string())
 }
 
-/// A `SolveError`.
+/// A `SolveError`; an `OptionsError` where the options do not fit, and [`NEEDS_FULL_CORE`].
 pub(super) fn solve(error: &SolveError) -> JsValue {
-    thrown("SolveError", &error.to_string())
+    match error {
+        SolveError::Options(error) => options(error),
+        SolveError::NeedsFullCore => thrown(NEEDS_FULL_CORE, &error.to_string()),
+        SolveError::Replay(_) => thrown("SolveError", &error.to_string()),
+    }
 }
 
 /// A `DocumentError`, with its place as properties.
 pub(super) fn document(error: &DocumentError, text: &str) -> JsValue {
+    if *error == DocumentError::NeedsFullCore {
+        return thrown(NEEDS_FULL_CORE, &error.to_string());
+    }
     let value = thrown("DocumentError", &error.to_string());
     let number = |number: usize| JsValue::from(u32::try_from(number).unwrap_or(u32::MAX));
     match error {
+        DocumentError::NeedsFullCore => {}
         DocumentError::Syntax { line, column, .. } => {
             set(&value, "line", number(*line));
             set(&value, "column", number(*column));

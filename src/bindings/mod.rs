@@ -91,7 +91,7 @@ impl Problem {
     /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.
     pub fn solve(&self, options: SolveOptionsJs) -> Result<Run, JsValue> {
         let run = solver::Run::new(Arc::clone(&self.problem), self.options(&options)?)
-            .map_err(|e| error::options(&e))?;
+            .map_err(|e| error::solve(&e))?;
         Ok(Run { run, milliseconds: 0.0 })
     }
 
@@ -99,7 +99,7 @@ impl Problem {
     /// would allow one. Throws an `OptionsError` where the options do not fit.
     pub fn remedy(&self, options: SolveOptionsJs) -> Result<RemedyRun, JsValue> {
         let run = remedy::RemedyRun::new(Arc::clone(&self.problem), self.options(&options)?);
-        Ok(RemedyRun { run: run.map_err(|e| error::options(&e))? })
+        Ok(RemedyRun { run: run.map_err(|e| error::solve(&e))? })
     }
 }
 

@@ -53,6 +53,9 @@ pub enum DocumentError {
         /// What should.
         expected: String,
     },
+    /// A document that only the crate with its feature `full` reads. Nothing is wrong with it.
+    #[error("this needs the full core, with the feature \"full\"")]
+    NeedsFullCore,
 }
 
 impl DocumentError {

@@ -47,6 +47,7 @@ impl DocumentError {
                 Place::of(text, found.map_or(object, |(name, _)| name))
             }
             Self::Invalid { path, .. } => Place::of(text, value_at(text, path)),
+            Self::NeedsFullCore => Place::of(text, value_at(text, "document")),
         }
     }
 }

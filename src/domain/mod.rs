@@ -6,11 +6,14 @@
 
 pub mod box_pushing;
 pub mod delivery;
+#[cfg(feature = "full")]
+mod drawable;
 pub mod explicit;
 pub mod generate;
 pub mod grid;
 pub mod gridworld;
 mod observers;
+#[cfg(feature = "full")]
 pub mod pddl;
 pub mod recycling_robot;
 
@@ -21,6 +24,7 @@ pub use delivery::Delivery;
 pub use explicit::Explicit;
 pub use gridworld::Gridworld;
 pub use observers::Observers;
+#[cfg(feature = "full")]
 pub use pddl::Pddl;
 pub use recycling_robot::RecyclingRobot;
 
@@ -44,6 +48,7 @@ pub enum Document {
     /// States and transitions one by one.
     Explicit(Explicit),
     /// A task in PDDL, with sensors by rule.
+    #[cfg(feature = "full")]
     Pddl(Pddl),
 }
 
@@ -77,6 +82,7 @@ impl From<Explicit> for Document {
     }
 }
 
+#[cfg(feature = "full")]
 impl From<Pddl> for Document {
     fn from(document: Pddl) -> Self {
         Self::Pddl(document)
@@ -88,7 +94,8 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// [`DocumentError`] names the place, what was found and what was expected.
+    /// [`DocumentError`] names the place, what was found and what was expected; without the feature
+    /// `full`, a document in PDDL is [`DocumentError::NeedsFullCore`].
     ///
     /// ```
     /// use mo_copp::domain::Document;
@@ -111,6 +118,9 @@ impl Document {
             "recycling-robot" => RecyclingRobot::read(&reader).map(Self::RecyclingRobot),
             "delivery" => Delivery::read(&reader).map(Self::Delivery),
             "explicit" => Explicit::read(&reader).map(Self::Explicit),
+            #[cfg(not(feature = "full"))]
+            "pddl" => Err(DocumentError::NeedsFullCore),
+            #[cfg(feature = "full")]
             "pddl" => Pddl::read(&reader).map(Self::Pddl),
             _ => Err(format.expected(EXPECTED)),
         }
@@ -128,6 +138,7 @@ impl Document {
             Self::RecyclingRobot(robot) => robot.problem(),
             Self::Delivery(delivery) => delivery.problem(),
             Self::Explicit(explicit) => explicit.problem(),
+            #[cfg(feature = "full")]
             Self::Pddl(pddl) => pddl.problem(),
         }
     }

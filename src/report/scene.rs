@@ -6,6 +6,7 @@ use crate::domain::Document;
 use crate::domain::box_pushing::BoxState;
 use crate::domain::delivery::Factory;
 use crate::domain::grid::{Cell, GridGoal};
+#[cfg(feature = "full")]
 use crate::domain::pddl::Outline;
 use crate::domain::recycling_robot::RobotState;
 use crate::problem::{Goal, Problem};
@@ -97,6 +98,7 @@ pub enum Setting {
     /// States without places.
     Explicit,
     /// Objects and predicates.
+    #[cfg(feature = "full")]
     Pddl(Outline),
 }
 
@@ -107,16 +109,14 @@ impl Scene {
             Document::Gridworld(grid) => &grid.goals,
             Document::BoxPushing(pushing) => &pushing.goals,
             Document::RecyclingRobot(robot) => &robot.goals,
-            Document::Delivery(_) | Document::Explicit(_) | Document::Pddl(_) => &[],
-        };
-        let condition = |goal: usize| match document {
-            Document::Pddl(pddl) => pddl.goals.get(goal).map(|goal| goal.condition.clone()),
-            _ => None,
+            Document::Delivery(_) | Document::Explicit(_) => &[],
+            #[cfg(feature = "full")]
+            Document::Pddl(_) => &[],
         };
         let goal = |(index, goal): (usize, &Goal)| SceneGoal {
             name: goal.name.clone(),
             cell: in_cells.get(index).map(|goal| goal.cell),
-            condition: condition(index),
+            condition: condition(document, index),
         };
         let setting = match document {
             Document::Gridworld(grid) => Setting::Gridworld {
@@ -145,6 +145,7 @@ impl Scene {
             },
             Document::Explicit(_) => Setting::Explicit,
             // A document of which a problem was made can be read.
+            #[cfg(feature = "full")]
             Document::Pddl(pddl) => pddl.outline().map_or(Setting::Explicit, Setting::Pddl),
         };
         Self {
@@ -158,4 +159,18 @@ impl Scene {
             setting,
         }
     }
+}
+
+/// The condition of a goal, where the document has it in PDDL.
+#[cfg(feature = "full")]
+fn condition(document: &Document, goal: usize) -> Option<String> {
+    match document {
+        Document::Pddl(pddl) => pddl.goals.get(goal).map(|goal| goal.condition.clone()),
+        _ => None,
+    }
+}
+
+#[cfg(not(feature = "full"))]
+fn condition(_: &Document, _: usize) -> Option<String> {
+    None
 }

@@ -16,6 +16,7 @@ pub mod best_first;
 mod classical;
 mod engine;
 pub mod exact;
+#[cfg(feature = "full")]
 pub mod ip;
 mod live;
 mod options;

@@ -12,9 +12,11 @@ use crate::trace::{Achievement, validate};
 use super::best_first::{baseline, patience, search};
 use super::engine::{Advance, Engine, Finding};
 use super::exact::{self, lengths};
+#[cfg(feature = "full")]
+use super::ip;
 use super::outcome::{LengthPoint, Outcome, Progress, Stats, Status};
 use super::shortest::{Reached, Shortest};
-use super::{Horizon, Options, OptionsError, Solver, ip};
+use super::{Horizon, Options, OptionsError, Solver};
 
 /// Why a run cannot give an answer.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -25,6 +27,9 @@ pub enum SolveError {
     /// A plan did not pass its replay. A defect of this program: please report it.
     #[error("internal error: a plan failed its replay: {0}")]
     Replay(String),
+    /// A solver that only the crate with its feature `full` has. Nothing is wrong with the options.
+    #[error("this needs the full core, with the feature \"full\"")]
+    NeedsFullCore,
 }
 
 /// How many expansions or nodes [`solve`] does between two reports. Few, since a single one can
@@ -73,9 +78,13 @@ impl Run {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Options`].
+    /// [`SolveError::Options`]; for an integer program without the feature `full`
+    /// [`SolveError::NeedsFullCore`].
     pub fn new(problem: Arc<Problem>, options: Options) -> Result<Self, SolveError> {
         options.check(&problem)?;
+        if cfg!(not(feature = "full")) && options.solver == Solver::Ip {
+            return Err(SolveError::NeedsFullCore);
+        }
         let mut run = Self {
             problem,
             options,
@@ -112,6 +121,10 @@ impl Run {
         }
         Ok(match (options.solver, self.horizon) {
             (Solver::Exact, horizon) => exact::engine(problem, options, horizon),
+            // `new` has refused it.
+            #[cfg(not(feature = "full"))]
+            (Solver::Ip, _) => return Err(LimitReached::Cancelled),
+            #[cfg(feature = "full")]
             (Solver::Ip, horizon) => {
                 Box::new(ip::IntegerProgram::new(problem, options, horizon.unwrap_or(0))?)
             }

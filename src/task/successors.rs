@@ -37,13 +37,14 @@ impl SuccessorGenerator {
             .iter()
             .enumerate()
             .filter_map(|(index, operator)| {
-                let mut asked: Vec<(usize, usize)> = operator
-                    .preconditions
-                    .iter()
-                    .map(|&fact| (layout.group(fact), layout.value(fact)))
-                    .collect();
-                asked.sort_unstable();
-                asked.dedup();
+                let mut asked: Vec<(usize, usize)> = Vec::new();
+                for &fact in &operator.preconditions {
+                    let pair = (layout.group(fact), layout.value(fact));
+                    // Few: put in one by one, they need no copy of the sort in the wasm file.
+                    if let Err(at) = asked.binary_search(&pair) {
+                        asked.insert(at, pair);
+                    }
+                }
                 // Two values asked of one group: never applicable.
                 let possible = asked.windows(2).all(|pair| pair[0].0 != pair[1].0);
                 possible.then(|| (OperatorId::new(index), asked))

@@ -208,3 +208,23 @@ test("a worker that never came up is not replaced over and over", async () => {
   void client.run(solve);
   assert.equal(ScriptedWorker.all.length, 2);
 });
+
+test("patience counts the time at work, not the time that fetching the full core takes", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const client = new SolverClient();
+  let over = 0;
+  const patience = { milliseconds: 1000, over: () => (over += 1) };
+  void runWithin(client, solve, patience);
+  ScriptedWorker.last.say({ kind: "started", id: 1 });
+  mock.timers.tick(900);
+  ScriptedWorker.last.say({ kind: "fetching", id: 1 });
+  mock.timers.tick(60_000);
+  assert.equal(over, 0);
+  ScriptedWorker.last.say({ kind: "started", id: 1 });
+  mock.timers.tick(999);
+  assert.equal(over, 0);
+  mock.timers.tick(1);
+  assert.equal(over, 1);
+  client.dispose();
+  mock.timers.reset();
+});

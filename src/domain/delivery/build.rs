@@ -134,9 +134,13 @@ impl Delivery {
 
     /// The name of the true goal with its packages in the order of the document.
     fn canonical_goal(&self, packages: &[Package<'_>]) -> String {
-        let mut parts: Vec<&str> = self.true_goal.split(AND).collect();
-        let place = |part: &&str| packages.iter().position(|package| package.name == *part);
-        parts.sort_unstable_by_key(place);
+        let place = |part: &str| packages.iter().position(|package| package.name == part);
+        // Few: put in one by one, they need no copy of the sort in the wasm file.
+        let mut parts: Vec<&str> = Vec::new();
+        for part in self.true_goal.split(AND) {
+            let at = parts.partition_point(|before| place(before) <= place(part));
+            parts.insert(at, part);
+        }
         parts.join(AND)
     }
 

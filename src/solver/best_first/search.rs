@@ -39,7 +39,7 @@ use crate::task::{Action, StateId};
 
 /// What a goal that cannot be reached any more counts as in a sum of values: more than goals in
 /// problems of the paper's size are away, so that ruling one out for good is worth the way.
-const UNREACHABLE_VALUE: i64 = 64;
+const UNREACHABLE_VALUE: u32 = 64;
 
 /// The actor's state, the number of the sketches of all observers, and the number of actions before
 /// (0 where there is no horizon).
@@ -109,10 +109,11 @@ impl Beliefs {
             let whole = self.sketches[index].whole(&self.joint, sketch).is_some();
             let values = self.sketches[index].values(&mut self.joint, &mut self.values, sketch);
             let others = (0..goals).filter(|&goal| goal != problem.true_goal());
-            let mut values: Vec<i64> = others
+            // As u32, of which the wasm file has a sort already.
+            let mut values: Vec<u32> = others
                 .map(|goal| match values[goal] {
                     UNREACHABLE => UNREACHABLE_VALUE,
-                    value => i64::from(value).min(UNREACHABLE_VALUE - 1),
+                    value => value.min(UNREACHABLE_VALUE - 1),
                 })
                 .collect();
             values.sort_unstable();
@@ -121,9 +122,12 @@ impl Beliefs {
                     if whole && values[wanted - 1] == UNREACHABLE_VALUE {
                         return None;
                     }
-                    value += values[..wanted].iter().sum::<i64>();
+                    value += values[..wanted].iter().copied().map(i64::from).sum::<i64>();
                 }
-                Role::Cooperative => value -= values[goals - 1 - wanted..].iter().sum::<i64>(),
+                Role::Cooperative => {
+                    let farthest = &values[goals - 1 - wanted..];
+                    value -= farthest.iter().copied().map(i64::from).sum::<i64>();
+                }
             }
         }
         Some(value)
@@ -134,7 +138,7 @@ impl Beliefs {
     fn keeps_bounds(&mut self, key: Key) -> Result<bool, LimitReached> {
         let problem = Arc::clone(self.joint.problem());
         let goals = problem.goals().len();
-        let mut unsettled = Vec::new();
+        let (mut unsettled, mut enemies) = (Vec::new(), Vec::new());
         for (index, observer) in problem.observers().iter().enumerate() {
             let sketch = self.sketch(key, index);
             let surely = self.sketches[index].survivors(&mut self.joint, &mut self.values, sketch);
@@ -152,11 +156,14 @@ impl Beliefs {
                 || observer.role == Role::Adversarial
                     && self.bounds.at_least.is_some_and(|k| surely.len() < k);
             if upper || missing {
-                unsettled.push((observer.role == Role::Adversarial, index));
+                match observer.role {
+                    Role::Cooperative => unsettled.push(index),
+                    Role::Adversarial => enemies.push(index),
+                }
             }
         }
-        unsettled.sort_unstable();
-        for (_, index) in unsettled {
+        unsettled.append(&mut enemies);
+        for index in unsettled {
             let sketch = self.sketch(key, index);
             let belief = self.sketches[index].belief(&mut self.joint, sketch)?;
             let survivors = self.joint.survivors(index, belief).clone();

@@ -31,7 +31,8 @@ export class MoCoppPlayground extends SignalElement {
     return [...SignalElement.observedAttributes, ...settingNames, "hide", "link"];
   }
 
-  private readonly playground = new Playground(new SolverClient());
+  private readonly client = new SolverClient();
+  private readonly playground = new Playground(this.client);
   private readonly shortcuts = (event: KeyboardEvent) => {
     if (this.keys.areFor(event)) shortcut(this.playground, event);
   };
@@ -46,6 +47,7 @@ export class MoCoppPlayground extends SignalElement {
   /** Whether the page's address is this playground's. */
   private sharing = false;
   private begun = false;
+  private following = false;
 
   protected override createRenderRoot(): HTMLElement {
     return this;
@@ -53,6 +55,7 @@ export class MoCoppPlayground extends SignalElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.client.prepare();
     this.sharing = this.getAttribute("link") !== "off" && this.address.claim();
     // Who has the address has the page; among several, each takes what is dropped on itself.
     this.drops.listen(this.sharing ? window : this);
@@ -127,15 +130,25 @@ export class MoCoppPlayground extends SignalElement {
     `;
   }
 
+  /** In the next frame the page is laid out anyway; asking where things are before that would do it twice. */
+  private follow(): void {
+    if (this.following) return;
+    this.following = true;
+    requestAnimationFrame(() => {
+      this.following = false;
+      followSymbols(this);
+      followRow(this, this.playground.timeline.step.value);
+    });
+  }
+
   protected override updated(): void {
     const { status, timeline, difference } = this.playground;
     this.dataset.status = status.value;
     this.dataset.step = String(timeline.step.value);
     if (difference.value === null) delete this.dataset.gd;
     else this.dataset.gd = String(difference.value);
-    followSymbols(this);
+    this.follow();
     void this.playground.walker.follow();
-    followRow(this, timeline.step.value);
     this.notifier.notify();
   }
 }

@@ -232,7 +232,7 @@ export abstract class Session {
   }
 
   private update(document: OpenDocument, update: Update, at: Job["at"]): void {
-    if (update.kind === "started") return;
+    if (update.kind === "started" || update.kind === "fetching") return;
     batch(() => {
       if (update.kind === "progress") {
         this.progress.value = update.progress;

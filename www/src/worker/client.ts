@@ -35,6 +35,11 @@ export class SolverClient {
   private lastId = 0;
   private current: Current | null = null;
 
+  /** Has the worker load the core, for the task that will come. */
+  prepare(): void {
+    this.worker ??= this.startWorker();
+  }
+
   /** Starts a task; any task before it becomes stale. */
   run(task: Task, report: (update: Update) => void = () => undefined): Promise<Ending> {
     this.finish({ kind: "stale" });
@@ -102,6 +107,8 @@ export class SolverClient {
       return;
     } else if (reply.kind === "started") {
       clearTimeout(this.current.startBy);
+      this.current.report(reply);
+    } else if (reply.kind === "fetching") {
       this.current.report(reply);
     } else if (reply.kind === "progress") {
       this.current.last = reply.progress;

@@ -1,5 +1,5 @@
 // Work that nobody waits for longer than so long. The time counts from when a worker takes the task up: one that is
-// still loading, or busy with something else, has not been slow with this.
+// still loading, or busy with something else, has not been slow with this; nor has one that waits for the full core.
 import type { Ending, SolverClient } from "./client.js";
 import type { Task, Update } from "./protocol.js";
 
@@ -23,6 +23,7 @@ export async function runWithin(
     client.cancel();
   };
   const ending = await client.run(task, (update) => {
+    if (update.kind === "fetching") clearTimeout(timer);
     if (update.kind === "started" && Number.isFinite(milliseconds)) {
       clearTimeout(timer);
       timer = setTimeout(end, milliseconds);

@@ -27,8 +27,10 @@ export type Answered = Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"
 
 /** What a worker tells while it is at a task. */
 export type Update =
-  /** The task is taken up. */
+  /** The task is taken up, or taken up again. */
   | { kind: "started" }
+  /** The task takes the full core, which is being fetched. */
+  | { kind: "fetching" }
   | { kind: "progress"; progress: Progress }
   /** The document is right; solving takes longer, or cannot start. */
   | { kind: "opened"; scene: Scene; start: Trace };

@@ -1,6 +1,7 @@
 // The worker: the only place that runs the core. One task at a time; a newer one makes the older ones stale.
-import init, { Problem } from "../../pkg/mo_copp.js";
+import type { Problem } from "../../pkg/mo_copp.js";
 import type { SolveOptions } from "../core.js";
+import { type Core, loadLight, onCore } from "./cores.js";
 import { failure, faultIn } from "./failure.js";
 import type { Answer, Fault, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
@@ -11,10 +12,10 @@ const SHOW_AFTER_MS = 60;
 
 let newest = 0;
 let cancelled = 0;
-let open: { document: string; problem: Problem } | null = null;
+let open: { core: Core; document: string; problem: Problem } | null = null;
 
 const post = (reply: Reply) => self.postMessage(reply);
-const loaded = init().then(() => post({ kind: "ready" }));
+const loaded = loadLight().then(() => post({ kind: "ready" }));
 // Each task waits for it and reports its failure; this only keeps the console quiet until one does.
 loaded.catch(() => undefined);
 
@@ -33,17 +34,20 @@ async function handle(task: Task, id: number): Promise<void> {
     // Requests that came in the meantime are taken first, so that of many only the last is worked on.
     await nextTurn();
     if (id !== newest) return;
-    post({ kind: "started", id });
-    const answer = await perform(task, id);
-    if (id === newest) post({ ...answer, id });
+    const answer = await onCore((core) => perform(core, task, id), {
+      begun: () => post({ kind: "started", id }),
+      fetching: () => post({ kind: "fetching", id }),
+      stale: () => id !== newest,
+    });
+    if (answer !== null && id === newest) post({ ...answer, id });
   } catch (error) {
     post({ ...failure(error), id });
   }
 }
 
-function perform(task: Task, id: number): Answer | Promise<Answer> {
-  if (task.kind === "check") return { kind: "checked", fault: checked(task.document) };
-  const problem = opened(task.document);
+function perform(core: Core, task: Task, id: number): Answer | Promise<Answer> {
+  if (task.kind === "check") return { kind: "checked", fault: checked(core, task.document) };
+  const problem = opened(core, task.document);
   switch (task.kind) {
     case "trace":
       return { kind: "traced", trace: problem.trace(task.plan) };
@@ -56,9 +60,9 @@ function perform(task: Task, id: number): Answer | Promise<Answer> {
   }
 }
 
-function checked(document: string): Fault | null {
+function checked(core: Core, document: string): Fault | null {
   try {
-    new Problem(document).free();
+    new core.Problem(document).free();
     return null;
   } catch (error) {
     const fault = faultIn(error);
@@ -67,11 +71,11 @@ function checked(document: string): Fault | null {
   }
 }
 
-function opened(document: string): Problem {
-  if (open?.document !== document) {
-    const problem = new Problem(document);
+function opened(core: Core, document: string): Problem {
+  if (open?.core !== core || open.document !== document) {
+    const problem = new core.Problem(document);
     open?.problem.free();
-    open = { document, problem };
+    open = { core, document, problem };
   }
   return open.problem;
 }
