@@ -1,11 +1,13 @@
 // The Rust core's types, as its bindings declare them. Everything the page knows of planning comes through these.
 export type {
   Advice,
+  BeliefSummary,
   LengthPoint,
   NextAction,
   Outcome,
   Progress,
   Scene,
+  Share,
   SolveOptions,
   State,
   Trace,
