@@ -3,6 +3,7 @@ import { html, type TemplateResult } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { newGrid } from "../problem/new-grid.js";
 import { written } from "../problem/text.js";
+import type { ProblemDocument } from "../problem/types.js";
 import type { Playground } from "../state/playground.js";
 import { deliveryForm } from "./delivery-form.js";
 import { gridForm } from "./grid-form.js";
@@ -17,7 +18,7 @@ export function editPanel(playground: Playground): TemplateResult {
   const form = guard([latest, editing.fault.value, note], () => {
     if (latest?.format === "gridworld") return gridForm(playground, latest);
     if (latest?.format === "delivery") return deliveryForm(playground, latest);
-    return asText(playground);
+    return asText(playground, latest?.format);
   });
   return html`<div class="edit">
     ${form}
@@ -29,8 +30,13 @@ export function editPanel(playground: Playground): TemplateResult {
   </div>`;
 }
 
-const asText = (playground: Playground): TemplateResult =>
-  html`<p>This problem lists its states one by one. It is edited as text.</p>
+const asText = (playground: Playground, format: ProblemDocument["format"] | undefined): TemplateResult =>
+  html`<p>${why[format ?? "explicit"] ?? why.explicit}</p>
     <div class="actions">
       <button type="button" class="primary" @click=${() => playground.workbench.open("document")}>Edit as text</button>
     </div>`;
+
+const why: Partial<Record<ProblemDocument["format"], string>> = {
+  explicit: "This problem lists its states one by one. It is edited as text.",
+  pddl: "This problem is written in PDDL: domain, first state, goals and what each observer is told are edited as text.",
+};

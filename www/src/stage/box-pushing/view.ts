@@ -38,7 +38,7 @@ function board(name: BoardName, input: BoardInput<BoxScene>, playground: Playgro
   const at = robotCell(shown.state);
   const secret = playground.mode.value === "guess";
   const boxes = name === "actor" ? [{ cell: boxOf(shown.state), sure: true }] : spots(summaryOf(shown, name), "box");
-  const facings = name === "actor" ? [] : facingsOf(name, input);
+  const facings = name === "actor" ? [facingOf(shown.state)] : facingsOf(name, input);
   const after = `After ${counted(step, "action")}`;
   const label =
     name === "actor"
@@ -52,14 +52,11 @@ function board(name: BoardName, input: BoardInput<BoxScene>, playground: Playgro
         svg`<g data-box=${cell.join(",")} transform="translate(${cell[0] + 0.5} ${cell[1] + 0.5})">${crate(sure ? "sure" : "perhaps", 1)}</g>`,
     )}`,
     over: svg`${robot(name, at, scale, secret, facingOf(shown.state), isGoal(scene, at))}`,
-    ...(name === "actor"
-      ? {}
-      : {
-          below: {
-            height: 0.75 * scale,
-            drawn: svg`<g transform="scale(${scale})"><text class="below" x="0.1" y="0.55">may look</text>${rose(facings, [2.1, 0.42], 0.7)}</g>`,
-          },
-        }),
+    below: {
+      height: 0.75 * scale,
+      drawn: svg`<g transform="scale(${scale})"><text class="below" x="0.08" y="0.52">${name === "actor" ? "looks" : "may look"}</text>
+        ${rose(facings, [1.65, 0.41], 0.62)}</g>`,
+    },
   });
 }
 

@@ -22,7 +22,7 @@ export function battery(
   const high = known.at(-1) ?? 0;
   const room = width * 0.4;
   const cells = Math.max(1, count - 1);
-  const each = Math.min(0.3, room / cells);
+  const each = Math.min(0.26, room / cells);
   const look = (level: number) => (exact ? (level <= high ? "full" : "") : known.includes(level) ? "full" : "");
   const said = low === high ? String(low) : `${low}–${high}`;
   return svg`<g class="battery"><title>battery level ${said} of ${count - 1}</title>
@@ -34,6 +34,6 @@ export function battery(
             ${Array.from({ length: cells }, (_, index) => svg`<rect class="level ${look(index + 1)}" x=${0.06 + index * each} y="0.06" width=${each - 0.04} height="0.32" rx="0.03"></rect>`)}</g>`
     }
     <text class="below" x=${cells > MOST ? 0.06 : each * cells + 0.32} y="0.52">${said}</text>
-    ${carried === null ? nothing : svg`<g transform="translate(${width - 0.3} 0.4) scale(1.5)">${can(carried)}</g><text class="below end" x=${width - 0.5} y="0.52">${carried === "sure" ? "carried" : "carried?"}</text>`}
+    ${carried === null ? nothing : svg`<g transform="translate(${width - 0.2} 0.4) scale(1.3)">${can(carried)}</g><text class="below end" x=${width - 0.42} y="0.52">${carried === "sure" ? "holds" : "may hold"}</text>`}
   </g>`;
 }

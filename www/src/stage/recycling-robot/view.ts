@@ -60,7 +60,7 @@ function board(name: BoardName, input: BoardInput<RobotScene>, playground: Playg
       scene.goals.some(({ cell }) => sameCell(cell, at)),
       name === "actor" && carried ? svg`<g transform="translate(0.18 0.12) scale(1.5)">${can("sure")}</g>` : nothing,
     )}
-      ${cans.map(({ cell, sure }) => svg`<g data-can=${cell.join(",")} transform="${place(cell)} scale(${scale}) translate(-0.3 -0.22) scale(1.35)">${can(sure ? "sure" : "perhaps")}</g>`)}`,
+      ${cans.map(({ cell, sure }) => svg`<g data-can=${cell.join(",")} transform="${place(cell)} scale(${scale}) translate(-0.34 -0.27) scale(1.15)">${can(sure ? "sure" : "perhaps")}</g>`)}`,
     below: {
       height: 0.8 * scale,
       drawn: svg`<g transform="scale(${scale})">${battery(levels, scene.battery_levels, scene.width / scale, belief === null, belief !== null && carried ? (cans.length === 0 ? "sure" : "perhaps") : null)}</g>`,
