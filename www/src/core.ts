@@ -2,10 +2,12 @@
 export type {
   Advice,
   BeliefSummary,
+  BoxState,
   LengthPoint,
   NextAction,
   Outcome,
   Progress,
+  RobotState,
   Scene,
   Share,
   SolveOptions,
