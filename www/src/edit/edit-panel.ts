@@ -7,6 +7,7 @@ import type { ProblemDocument } from "../problem/types.js";
 import type { Playground } from "../state/playground.js";
 import { deliveryForm } from "./delivery-form.js";
 import { gridForm } from "./grid-form.js";
+import { poseForm } from "./pose-form.js";
 
 /** The usual size of the paper's gridworlds. */
 const NEW_SIDE = 8;
@@ -18,6 +19,7 @@ export function editPanel(playground: Playground): TemplateResult {
   const form = guard([latest, editing.fault.value, note], () => {
     if (latest?.format === "gridworld") return gridForm(playground, latest);
     if (latest?.format === "delivery") return deliveryForm(playground, latest);
+    if (latest?.format === "box-pushing" || latest?.format === "recycling-robot") return poseForm(playground, latest);
     return asText(playground, latest?.format);
   });
   return html`<div class="edit">

@@ -78,6 +78,12 @@ export interface RecyclingRobotDocument extends OnFloor<RobotPose> {
   battery_levels: number;
 }
 
+/** A robot on a floor, and something that it moves. */
+export type PoseDocument = BoxPushingDocument | RecyclingRobotDocument;
+
+/** The documents that are edited on the boards. */
+export type FloorDocument = GridworldDocument | PoseDocument;
+
 /** A domain and a problem in PDDL, each one text or the list of its lines. */
 export interface PddlDocument {
   format: "pddl";

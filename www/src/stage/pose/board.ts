@@ -1,10 +1,14 @@
 // A board of a robot on a grid: the cells and goals of every grid, and on top what the domain adds.
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from "lit";
+import { boardMarks } from "../../edit/board-marks.js";
+import { boardBlur, boardFocus, boardKey } from "../../edit/keys.js";
+import { boardPointer } from "../../edit/pointer.js";
 import type { Cell } from "../../problem/types.js";
 import type { Playground } from "../../state/playground.js";
 import type { BoardInput, BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
 import { start } from "../grid/agent.js";
+import { boardClasses } from "../grid/board.js";
 import { cellLayer } from "../grid/cell-layer.js";
 import { goalMark } from "../grid/goal.js";
 import { dots, enlarged, isLarge, squares } from "../grid/marks.js";
@@ -26,7 +30,7 @@ export interface PoseParts {
 export function poseBoard(
   name: BoardName,
   input: BoardInput<PoseScene>,
-  _playground: Playground,
+  playground: Playground,
   parts: PoseParts,
 ): TemplateResult {
   const { scene, shown } = input;
@@ -35,7 +39,12 @@ export function poseBoard(
   const believed = believedCells(name, shown);
   const bottom = parts.below?.height ?? 0;
   const box = `${-MARGIN} ${-MARGIN} ${width + 2 * MARGIN} ${height + bottom + 2 * MARGIN}`;
-  return html`<svg class="board pose ${isLarge(scene) ? "large" : ""}" data-board=${name} viewBox=${box} role="img" aria-label=${parts.label}>
+  const pointer = boardPointer(name, playground);
+  return html`<svg class=${`${boardClasses(scene, playground)} pose`} data-board=${name} viewBox=${box}
+    role="application" tabindex="0" aria-label=${parts.label} aria-roledescription="board"
+    @pointerdown=${pointer.down} @pointermove=${pointer.move} @pointerup=${pointer.up} @pointercancel=${pointer.lost}
+    @lostpointercapture=${pointer.lost} @touchstart=${pointer.touch}
+    @keydown=${boardKey(name, playground)} @focus=${boardFocus(name, playground)} @blur=${boardBlur(playground)}>
     ${
       isLarge(scene)
         ? svg`<path class="floor" d=${squares(everywhere(scene))}></path><path class="believed" d=${squares(believed)}></path><path class="wall" d=${squares(walls)}></path>`
@@ -47,7 +56,7 @@ export function poseBoard(
     ${parts.under}
     <path class="dot" d=${dots(believed)}></path>
     ${goalViews(scene, shown).map((goal, index) => goalMark(name, goal, scene.goals[index]?.cell ?? [0, 0], scale))}
-    ${parts.over}
+    ${parts.over} ${boardMarks(name, playground)}
     ${parts.below === undefined ? nothing : svg`<g transform="translate(0 ${height})">${parts.below.drawn}</g>`}
   </svg>`;
 }
