@@ -12,7 +12,8 @@ use crate::plan::{Plan, PlanError, execute};
 use crate::problem::{Problem, SurvivorCounts};
 use crate::task::{Action, OperatorId, State, Task};
 
-/// The most believed states that a trace keeps, over all steps and observers.
+/// The most believed states that a trace keeps, over all steps and observers; and the most of one
+/// step that is only passed.
 const MAX_STATES: usize = if cfg!(target_arch = "wasm32") { 500_000 } else { 4_000_000 };
 
 /// What holds after some steps of a plan.
@@ -28,6 +29,21 @@ pub struct TraceStep {
     pub beliefs: Vec<Vec<State>>,
     /// The goals that survive for each observer.
     pub survivors: Vec<GoalSet>,
+}
+
+/// A step as it is passed, before anything of it is kept. The fields are those of [`TraceStep`].
+#[derive(Debug, Clone, Copy)]
+pub struct Passing<'a> {
+    /// The action that led here; none at the start.
+    pub action: Option<Action>,
+    /// Where the actor is.
+    pub state: &'a State,
+    /// The symbol each observer saw; none at the start.
+    pub symbols: &'a [Option<String>],
+    /// What each observer believes.
+    pub beliefs: &'a [Vec<State>],
+    /// The goals that survive for each observer.
+    pub survivors: &'a [GoalSet],
 }
 
 /// A replay: step 0 is the start.
@@ -165,25 +181,69 @@ impl<'a> Replay<'a> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn trace(problem: &Problem, plan: &Plan) -> Result<Trace, PlanError> {
-    let mut replay = Replay::new(problem, plan)?;
     let mut steps = Vec::with_capacity(plan.len() + 1);
-    let mut seen = Some(vec![None; problem.observers().len()]);
     let mut kept = 0;
-    while let Some(symbols) = seen {
-        kept += replay.beliefs.iter().map(Vec::len).sum::<usize>();
+    let reaches_goal = pass(problem, plan, |step| {
+        kept += step.beliefs.iter().map(Vec::len).sum::<usize>();
         if kept > MAX_STATES {
-            return Err(PlanError::TooManyStates { step: replay.at, limit: MAX_STATES });
+            return Err(PlanError::TooManyStates { step: steps.len(), limit: MAX_STATES });
         }
         steps.push(TraceStep {
-            action: replay.at.checked_sub(1).map(|index| plan.actions[index]),
-            state: replay.states[replay.at].clone(),
-            symbols,
-            beliefs: replay.beliefs.clone(),
-            survivors: replay.survivors(),
+            action: step.action,
+            state: step.state.clone(),
+            symbols: step.symbols.to_vec(),
+            beliefs: step.beliefs.to_vec(),
+            survivors: step.survivors.to_vec(),
         });
+        Ok(())
+    })?;
+    Ok(Trace { steps, reaches_goal })
+}
+
+/// Replays a plan and hands each step to `visit`, the start first, keeping the present beliefs
+/// alone. Returns whether the plan ends in the true goal.
+///
+/// Linear in the sum of all transitions out of all beliefs on the way, as [`trace`]; memory is that
+/// of the largest beliefs.
+///
+/// # Errors
+///
+/// [`PlanError`] when a step cannot be carried out, the beliefs of one step are too many states, or
+/// `visit` says so.
+///
+/// ```
+/// use mo_copp::{domain::Delivery, plan::Plan, trace::pass};
+/// let problem = Delivery::figure_1().problem()?;
+/// let plan = Plan::from_names(problem.task(), &["load a1", "load a2", "deliver"])?;
+/// let mut largest = 0;
+/// pass(&problem, &plan, |step| {
+///     largest = largest.max(step.beliefs[0].len());
+///     Ok(())
+/// })?;
+/// assert_eq!(largest, 6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn pass(
+    problem: &Problem,
+    plan: &Plan,
+    mut visit: impl FnMut(Passing<'_>) -> Result<(), PlanError>,
+) -> Result<bool, PlanError> {
+    let mut replay = Replay::new(problem, plan)?;
+    let mut seen = Some(vec![None; problem.observers().len()]);
+    while let Some(symbols) = seen {
+        if replay.beliefs.iter().map(Vec::len).sum::<usize>() > MAX_STATES {
+            return Err(PlanError::TooManyStates { step: replay.at, limit: MAX_STATES });
+        }
+        visit(Passing {
+            action: replay.at.checked_sub(1).map(|index| plan.actions[index]),
+            state: &replay.states[replay.at],
+            symbols: &symbols,
+            beliefs: &replay.beliefs,
+            survivors: &replay.survivors(),
+        })?;
         seen = replay.step();
     }
-    Ok(Trace { steps, reaches_goal: replay.reaches_goal() })
+    Ok(replay.reaches_goal())
 }
 
 impl Trace {

@@ -17,6 +17,7 @@ mod integer_programs;
 mod lengths;
 mod next_actions;
 mod observers;
+mod overview;
 mod pddl;
 mod pddl_domains;
 mod regressions;

@@ -78,6 +78,14 @@ impl Problem {
         to_js(&TraceReport::new(&self.problem, &trace))
     }
 
+    /// Replays a plan to be looked at: of each belief at most `most` states, and with them what all
+    /// its states have in common. Throws a `PlanError` that names the step.
+    pub fn overview(&self, plan: Vec<String>, most: usize) -> Result<TraceJs, JsValue> {
+        let plan = self.plan(&plan)?;
+        let report = TraceReport::overview(&self.problem, &plan, most);
+        to_js(&report.map_err(|e| error::plan(&e))?)
+    }
+
     /// The actions that can be taken after a plan, in the document's order. Throws a `PlanError`
     /// that names the step.
     pub fn next(&self, plan: Vec<String>) -> Result<NextActionsJs, JsValue> {

@@ -108,11 +108,24 @@ export interface TraceStep {
   state: State;
   symbols: ByObserver<string | null>;
   beliefs: ByObserver<State[]>;
+  /** What the states of each belief have in common, where an overview does not give all of them. */
+  summaries?: ByObserver<BeliefSummary>;
   goals: ByObserver<string[]>;
   goal_difference: number;
 }
 
 export interface Trace { valid: boolean; steps: TraceStep[]; goal_difference: number }
+
+/** A belief in numbers: what may hold, the most telling first, and in how many states each candidate goal holds. */
+export interface BeliefSummary {
+  states: number;
+  shares: Share[];
+  /** How many more facts there are. */
+  left_out: number;
+  goals: number[];
+}
+/** In how many states a fact holds, or a part of the state has a value. */
+export type Share = { states: number } & ({ fact: string } | { part: string; value: Cell | number | string });
 
 /** An action that can be taken after a plan, the resulting state, and whether the true goal holds there. */
 export interface NextAction { action: string; state: State; goal: boolean }
@@ -129,7 +142,7 @@ export interface Progress {
 }
 
 interface SceneBase {
-  goals: { name: string; cell?: Cell; condition?: string }[];
+  goals: { name: string; cell?: Cell; condition?: string; facts?: string[] }[];
   true_goal: string;
   observers: { name: string; role: Role }[];
 }
@@ -164,7 +177,8 @@ export interface PddlScene extends SceneBase {
   /** The atoms of a predicate that no action `changes` stand in `initial` alone. */
   predicates: { name: string; arguments: number; changes: boolean }[];
   initial: string[];
-  goals: { name: string; condition: string }[];
+  /** `facts`: what the condition asks for that actions change; the rest of it always holds, or is a negation. */
+  goals: { name: string; condition: string; facts: string[] }[];
 }
 export type Scene =
   GridworldScene | BoxPushingScene | RecyclingRobotScene | DeliveryScene | ExplicitScene | PddlScene;

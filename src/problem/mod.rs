@@ -181,6 +181,11 @@ impl Problem {
         self.observers.iter().position(|observer| observer.name == name)
     }
 
+    /// How states are labelled.
+    pub fn naming(&self) -> &StateNaming {
+        &self.naming
+    }
+
     /// How a packed state is shown to people and other programs.
     pub fn label(&self, words: &[u64]) -> StateLabel {
         self.naming.label(&self.task, words)

@@ -1,6 +1,7 @@
 //! What other programs read: the JSON of the command line and the objects of the JavaScript API.
 
 mod advice;
+mod belief;
 mod classical;
 mod request;
 mod scene;
@@ -8,15 +9,17 @@ mod scene;
 use serde::Serialize;
 
 pub use advice::{AdviceReport, RemedyReport};
+pub use belief::{BeliefReport, Feature, Share};
 pub use classical::{PlanReport, PlanStats};
 pub use request::read_options;
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 
 use crate::goal_difference::GoalSet;
-use crate::plan::NextAction;
-use crate::problem::{Problem, StateLabel};
+use crate::plan::{NextAction, Plan, PlanError};
+use crate::problem::{Problem, StateLabel, StateNaming};
 use crate::solver::{LengthPoint, Outcome, Progress, Solver, Stats};
-use crate::trace::Trace;
+use crate::task::State;
+use crate::trace::{Passing, Trace, pass, trace};
 
 /// A map from the name of each observer to something, in the problem's order.
 #[derive(Debug, Clone, PartialEq)]
@@ -150,6 +153,9 @@ pub struct StepReport {
     pub symbols: ByObserver<Option<String>>,
     /// What each observer believes.
     pub beliefs: ByObserver<Vec<StateLabel>>,
+    /// What the beliefs have in common, where they are not given in full.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub summaries: Option<ByObserver<BeliefReport>>,
     /// The goals that survive for each observer.
     pub goals: ByObserver<Vec<String>>,
     /// The goal difference, were the plan to end here.
@@ -261,20 +267,66 @@ impl StatsReport {
 impl TraceReport {
     /// The report of a trace.
     pub fn new(problem: &Problem, trace: &Trace) -> Self {
-        let step = |step: &crate::trace::TraceStep| StepReport {
-            action: step.action.map(|action| problem.task().action_name(action).to_owned()),
-            state: problem.label(step.state.words()),
-            symbols: ByObserver::new(problem, |i| step.symbols[i].clone()),
-            beliefs: ByObserver::new(problem, |i| {
-                step.beliefs[i].iter().map(|state| problem.label(state.words())).collect()
-            }),
-            goals: ByObserver::new(problem, |i| goal_names(problem, &step.survivors[i])),
-            goal_difference: problem.goal_difference(problem.survivor_counts(&step.survivors)),
+        let step = |step: &crate::trace::TraceStep| {
+            let passing = Passing {
+                action: step.action,
+                state: &step.state,
+                symbols: &step.symbols,
+                beliefs: &step.beliefs,
+                survivors: &step.survivors,
+            };
+            StepReport::new(problem, &passing, usize::MAX)
         };
         Self {
             valid: trace.reaches_goal,
             steps: trace.steps.iter().map(step).collect(),
             goal_difference: trace.goal_difference(problem),
+        }
+    }
+
+    /// The report of a plan for somebody who looks at it: of each belief at most `most` states, and
+    /// with them what all its states have in common. A page would not hold a hundred thousand
+    /// states for each step, nor could anybody read them. The beliefs of a gridworld and of a
+    /// delivery are pictures of all their states, and given in full.
+    ///
+    /// Linear in the replay, and in the groups of facts and the goals' conditions of all states
+    /// that are passed.
+    ///
+    /// # Errors
+    ///
+    /// [`PlanError`] when a step cannot be carried out or holds too many states.
+    pub fn overview(problem: &Problem, plan: &Plan, most: usize) -> Result<Self, PlanError> {
+        if matches!(problem.naming(), StateNaming::Cells { .. } | StateNaming::Facts) {
+            return Ok(Self::new(problem, &trace(problem, plan)?));
+        }
+        let mut steps = Vec::with_capacity(plan.len() + 1);
+        let valid = pass(problem, plan, |step| {
+            let summary = |i: usize| BeliefReport::new(problem, &step.beliefs[i]);
+            steps.push(StepReport {
+                summaries: Some(ByObserver::new(problem, summary)),
+                ..StepReport::new(problem, &step, most)
+            });
+            Ok(())
+        })?;
+        let goal_difference = steps.last().map_or(0.0, |step: &StepReport| step.goal_difference);
+        Ok(Self { valid, steps, goal_difference })
+    }
+}
+
+impl StepReport {
+    /// The report of a step, with at most `most` states of each belief.
+    fn new(problem: &Problem, step: &Passing<'_>, most: usize) -> Self {
+        let listed = |belief: &[State]| -> Vec<StateLabel> {
+            belief.iter().take(most).map(|state| problem.label(state.words())).collect()
+        };
+        Self {
+            action: step.action.map(|action| problem.task().action_name(action).to_owned()),
+            state: problem.label(step.state.words()),
+            symbols: ByObserver::new(problem, |i| step.symbols[i].clone()),
+            beliefs: ByObserver::new(problem, |i| listed(&step.beliefs[i])),
+            summaries: None,
+            goals: ByObserver::new(problem, |i| goal_names(problem, &step.survivors[i])),
+            goal_difference: problem.goal_difference(problem.survivor_counts(step.survivors)),
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::domain::grid::{Cell, GridGoal};
 #[cfg(feature = "full")]
 use crate::domain::pddl::Outline;
 use crate::domain::recycling_robot::RobotState;
-use crate::problem::{Goal, Problem};
+use crate::problem::{Goal, Problem, StateNaming};
 
 /// A document as something to look at. Names are texts, never markup.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -36,6 +36,9 @@ pub struct SceneGoal {
     /// Its condition, in PDDL.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub condition: Option<String>,
+    /// The facts that its condition asks for and that actions change, in PDDL.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub facts: Option<Vec<String>>,
 }
 
 /// An observer.
@@ -113,10 +116,19 @@ impl Scene {
             #[cfg(feature = "full")]
             Document::Pddl(_) => &[],
         };
+        let task = problem.task();
+        let facts = |goal: &Goal| match problem.naming() {
+            StateNaming::FirstFacts { count } => {
+                let told = goal.condition.iter().filter(|fact| fact.index() < *count);
+                Some(told.map(|&fact| task.fact_name(fact).to_owned()).collect())
+            }
+            _ => None,
+        };
         let goal = |(index, goal): (usize, &Goal)| SceneGoal {
             name: goal.name.clone(),
             cell: in_cells.get(index).map(|goal| goal.cell),
             condition: condition(document, index),
+            facts: facts(goal),
         };
         let setting = match document {
             Document::Gridworld(grid) => Setting::Gridworld {

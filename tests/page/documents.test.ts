@@ -83,7 +83,7 @@ test("a problem without a grid is shown as text", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await useDocument(page, explicit);
-    await page.locator('ul[data-board="actor"]').waitFor();
+    await page.locator('[data-board="actor"] .state-name').waitFor();
     await statusIs(page, "optimal");
     assert.equal(await attribute(page, "data-gd"), "1");
     assert.equal(

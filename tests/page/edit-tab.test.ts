@@ -194,7 +194,7 @@ test("a delivery is edited in all its parts", () =>
 test("a problem written state by state is edited as text", () =>
   edit(async (page) => {
     await useDocument(page, explicit);
-    await page.locator("[data-board=actor] li").waitFor();
+    await page.locator("[data-board=actor] .state-name").waitFor();
     await openTab(page, "Edit");
     await press(page, "Edit as text");
     await page.getByLabel("Problem document (JSON)").waitFor();

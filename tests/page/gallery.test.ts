@@ -86,6 +86,51 @@ const claims: Record<string, () => void> = {
     near(b?.difference, (56 - 3) / 55);
     near(each?.difference, (56 - 18) / 55);
   },
+  "box-pushing": () => {
+    assert.deepEqual(planned("box-pushing", "Straight up"), { moves: 4, difference: 0, valid: true });
+    assert.deepEqual(planned("box-pushing", "A way about"), { moves: 11, difference: 1, valid: true });
+    const { trace } = solve(documentOf("box-pushing"), { solver: "exact" });
+    assert.equal(trace.steps.at(-1)?.goals.adversarial.length, 3);
+  },
+  "recycling-robot": () => {
+    assert.deepEqual(planned("recycling-robot", "Straight there"), { moves: 9, difference: 0, valid: true });
+    assert.deepEqual(planned("recycling-robot", "Charge and pause"), { moves: 14, difference: 1, valid: true });
+    const actions = solve(documentOf("recycling-robot"), { solver: "exact" }).outcome.plan ?? [];
+    assert(actions.includes("stay") && actions.filter((action) => action === "charge").length === 2);
+  },
+  blocks: () => {
+    assert.deepEqual(planned("blocks", "A detour"), { moves: 16, difference: 0, valid: true });
+    assert.deepEqual(planned("blocks", "The shortest"), { moves: 14, difference: 1, valid: true });
+    for (const length of [12, 13]) {
+      assert.equal(solve(documentOf("blocks"), { solver: "exact", horizon: length }).outcome.status, "infeasible");
+    }
+  },
+  "blocks-unseen": () => {
+    const { trace } = solve(documentOf("blocks-unseen"), { solver: "exact" });
+    assert.equal(trace.steps[0]?.beliefs.adversarial.length, 501);
+    assert.equal(trace.steps.length, 13);
+    assert.equal(trace.steps.at(-1)?.goals.adversarial.length, 5);
+    assert.equal(trace.goal_difference, 1);
+  },
+  logistics: () => {
+    assert.deepEqual(planned("logistics", "Straight there"), { moves: 8, difference: 0.25, valid: true });
+    assert.deepEqual(planned("logistics", "For nothing"), { moves: 11, difference: 0.5, valid: true });
+    const { outcome } = solve(documentOf("logistics"), { solver: "exact" });
+    assert.equal(outcome.goals?.adversarial.length, 3);
+    assert(outcome.plan?.includes("(load-truck p1 truck2 airport2)"));
+    assert(outcome.plan?.includes("(load-truck p2 truck2 airport2)"));
+    assert(outcome.plan?.includes("(drive-truck truck1 airport1 place1)"));
+  },
+  driverlog: () => {
+    assert.deepEqual(planned("driverlog", "Unload at once"), { moves: 11, difference: 0.5, valid: true });
+    assert.deepEqual(planned("driverlog", "Unload last"), { moves: 11, difference: 1, valid: true });
+    const { outcome } = solve(documentOf("driverlog"), { solver: "exact" });
+    assert.equal(outcome.goals?.adversarial.length, 5);
+    assert.equal(outcome.plan?.at(-1), "(unload-truck p2 truck2 s2)");
+    // The same actions in another order.
+    const named = entries.find(({ name }) => name === "driverlog")?.plans?.[0]?.plan ?? [];
+    assert.deepEqual([...(outcome.plan ?? [])].sort(), [...named].sort());
+  },
 };
 
 test("the gallery has the documents of its folder, the paper's first", () => {

@@ -209,7 +209,7 @@ function anyDrag(document: GridworldDocument, dice: Dice, inside: () => Cell, ce
   else if (piece !== null) drag = carry(document, piece, from);
   else return document;
   for (let moves = dice.below(5); moves > 0; moves -= 1) drag = draggedTo(drag, cell());
-  return drag.document;
+  return drag.document as GridworldDocument;
 }
 
 test("the core takes whatever is made of a grid", () => {

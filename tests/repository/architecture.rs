@@ -32,7 +32,10 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "trace",
         ],
     ),
-    ("report", &["document", "domain", "goal_difference", "plan", "problem", "solver", "trace"]),
+    (
+        "report",
+        &["document", "domain", "goal_difference", "plan", "problem", "solver", "task", "trace"],
+    ),
     (
         "experiment",
         &["document", "domain", "goal_difference", "limits", "plan", "problem", "solver"],

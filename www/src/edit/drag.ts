@@ -12,10 +12,15 @@ import {
   setCamera,
   setWall,
 } from "../problem/grid-cells.js";
-import type { Cell, GridworldDocument, Role } from "../problem/types.js";
+import { moveThing, type Thing } from "../problem/pose-cells.js";
+import type { Cell, FloorDocument, Role } from "../problem/types.js";
 
 /** What can be carried. */
-export type Piece = { kind: "start" } | { kind: "goal"; index: number } | { kind: "wall" };
+export type Piece =
+  | { kind: "start" }
+  | { kind: "thing"; thing: Thing }
+  | { kind: "goal"; index: number }
+  | { kind: "wall" };
 
 /** What can be painted. */
 export type Paint = { kind: "wall" } | { kind: "belief"; role: Role } | { kind: "camera"; role: Role };
@@ -23,9 +28,9 @@ export type Paint = { kind: "wall" } | { kind: "belief"; role: Role } | { kind: 
 interface Part {
   /** Where the drag is now. */
   at: Cell;
-  base: GridworldDocument;
+  base: FloorDocument;
   /** What has come of it so far. */
-  document: GridworldDocument;
+  document: FloorDocument;
 }
 
 export interface Carry extends Part {
@@ -45,12 +50,12 @@ export interface Stroke extends Part {
 
 export type Drag = Carry | Stroke;
 
-export function carry(document: GridworldDocument, piece: Piece, from: Cell): Carry {
+export function carry(document: FloorDocument, piece: Piece, from: Cell): Carry {
   return { kind: "carry", piece, from, at: from, base: document, document, taken: true };
 }
 
 /** The first cell decides whether the stroke paints or takes away. */
-export function stroke(document: GridworldDocument, paint: Paint, from: Cell): Stroke {
+export function stroke(document: FloorDocument, paint: Paint, from: Cell): Stroke {
   const on = !isPainted(document, paint, from);
   return { kind: "stroke", paint, on, at: from, base: document, document: painted(document, paint, from, on) };
 }
@@ -69,14 +74,16 @@ function carriedTo(drag: Carry, cell: Cell): Carry {
 }
 
 function strokedTo(drag: Stroke, cell: Cell): Stroke {
-  const paint = (document: GridworldDocument, next: Cell) => painted(document, drag.paint, next, drag.on);
+  const paint = (document: FloorDocument, next: Cell) => painted(document, drag.paint, next, drag.on);
   return { ...drag, at: cell, document: between(drag.at, cell).reduce(paint, drag.document) };
 }
 
-function placed(document: GridworldDocument, piece: Piece, from: Cell, to: Cell): GridworldDocument {
+function placed(document: FloorDocument, piece: Piece, from: Cell, to: Cell): FloorDocument {
   switch (piece.kind) {
     case "start":
-      return moveStart(document, to);
+      return document.format === "gridworld" ? moveStart(document, to) : document;
+    case "thing":
+      return document.format === "gridworld" ? document : moveThing(document, piece.thing, to);
     case "goal":
       return moveGoal(document, piece.index, to);
     case "wall":
@@ -84,10 +91,10 @@ function placed(document: GridworldDocument, piece: Piece, from: Cell, to: Cell)
   }
 }
 
-export function isPainted(document: GridworldDocument, paint: Paint, cell: Cell): boolean {
+export function isPainted(document: FloorDocument, paint: Paint, cell: Cell): boolean {
+  if (paint.kind === "wall") return isWall(document, cell);
+  if (document.format !== "gridworld") return false;
   switch (paint.kind) {
-    case "wall":
-      return isWall(document, cell);
     case "belief":
       // The start can't be taken away, so a stroke that begins there paints.
       return !sameCell(cell, document.start) && hasCell(beliefOf(document, paint.role), cell);
@@ -96,10 +103,10 @@ export function isPainted(document: GridworldDocument, paint: Paint, cell: Cell)
   }
 }
 
-function painted(document: GridworldDocument, paint: Paint, cell: Cell, on: boolean): GridworldDocument {
+function painted(document: FloorDocument, paint: Paint, cell: Cell, on: boolean): FloorDocument {
+  if (paint.kind === "wall") return setWall(document, cell, on);
+  if (document.format !== "gridworld") return document;
   switch (paint.kind) {
-    case "wall":
-      return setWall(document, cell, on);
     case "belief":
       return setBelieved(document, paint.role, cell, on);
     case "camera":

@@ -3,9 +3,11 @@ import { html, type TemplateResult } from "lit";
 import { guard } from "lit/directives/guard.js";
 import { newGrid } from "../problem/new-grid.js";
 import { written } from "../problem/text.js";
+import type { ProblemDocument } from "../problem/types.js";
 import type { Playground } from "../state/playground.js";
 import { deliveryForm } from "./delivery-form.js";
 import { gridForm } from "./grid-form.js";
+import { poseForm } from "./pose-form.js";
 
 /** The usual size of the paper's gridworlds. */
 const NEW_SIDE = 8;
@@ -17,7 +19,8 @@ export function editPanel(playground: Playground): TemplateResult {
   const form = guard([latest, editing.fault.value, note], () => {
     if (latest?.format === "gridworld") return gridForm(playground, latest);
     if (latest?.format === "delivery") return deliveryForm(playground, latest);
-    return asText(playground);
+    if (latest?.format === "box-pushing" || latest?.format === "recycling-robot") return poseForm(playground, latest);
+    return asText(playground, latest?.format);
   });
   return html`<div class="edit">
     ${form}
@@ -29,8 +32,13 @@ export function editPanel(playground: Playground): TemplateResult {
   </div>`;
 }
 
-const asText = (playground: Playground): TemplateResult =>
-  html`<p>This problem lists its states one by one. It is edited as text.</p>
+const asText = (playground: Playground, format: ProblemDocument["format"] | undefined): TemplateResult =>
+  html`<p>${why[format ?? "explicit"] ?? why.explicit}</p>
     <div class="actions">
       <button type="button" class="primary" @click=${() => playground.workbench.open("document")}>Edit as text</button>
     </div>`;
+
+const why: Partial<Record<ProblemDocument["format"], string>> = {
+  explicit: "This problem lists its states one by one. It is edited as text.",
+  pddl: "This problem is written in PDDL: domain, first state, goals and what each observer is told are edited as text.",
+};

@@ -2,13 +2,13 @@
 import { inside } from "../problem/cells.js";
 import { isWall, setBelieved, setCamera, setWall } from "../problem/grid-cells.js";
 import { addGoal, goalAt, removeGoal } from "../problem/grid-goals.js";
-import type { Cell, GridworldDocument } from "../problem/types.js";
+import type { Cell, FloorDocument } from "../problem/types.js";
 import type { BoardName } from "../stage/board-input.js";
 import type { Playground } from "../state/playground.js";
 import { carry, isPainted, type Paint, stroke } from "./drag.js";
 import { begin, finish, goTo, takeBack } from "./dragging.js";
 import { carriedInWords, cellInWords, pieceName } from "./spoken.js";
-import { editable, paintOf, pieceAt, roleOf } from "./tools.js";
+import { editable, paintOf, pieceAt, roleOf, toolInHand } from "./tools.js";
 
 const steps: Record<string, Cell> = {
   ArrowLeft: [-1, 0],
@@ -32,7 +32,7 @@ export const boardKeys: readonly [keys: string, meaning: string][] = [
 interface Here {
   playground: Playground;
   board: BoardName;
-  document: GridworldDocument;
+  document: FloorDocument;
   cell: Cell;
 }
 
@@ -76,10 +76,13 @@ export function boardBlur(playground: Playground) {
 }
 
 /** Where it was last; at first the start. */
-function cursorOn(board: BoardName, { editing }: Playground, document: GridworldDocument): Cell {
+function cursorOn(board: BoardName, { editing }: Playground, document: FloorDocument): Cell {
   const cursor = editing.cursor.value;
-  return cursor !== null && cursor.board === board && inside(document, cursor.cell) ? cursor.cell : document.start;
+  return cursor !== null && cursor.board === board && inside(document, cursor.cell) ? cursor.cell : startOf(document);
 }
+
+const startOf = (document: FloorDocument): Cell =>
+  document.format === "gridworld" ? document.start : document.start.robot;
 
 const say = (playground: Playground, words: string): void => {
   playground.editing.said.value = words;
@@ -110,22 +113,23 @@ const actions: Record<string, Action> = {
 
 /** Picks up or puts down; with a brush, paints one cell. */
 function use({ playground, board, document, cell }: Here): string {
-  const { drag, tool } = playground.editing;
+  const { drag } = playground.editing;
+  const tool = toolInHand(playground);
   if (drag.value !== null) {
     const refused = drag.value.kind === "carry" && !drag.value.taken;
     finish(playground);
     return refused ? "put down where it could stand last." : "put down.";
   }
-  if (tool.value === "move") {
+  if (tool === "move") {
     const piece = pieceAt(document, board, cell);
     if (piece === null) return "there is nothing to pick up here.";
     const carried = carry(document, piece, cell);
     begin(playground, carried);
     return `${pieceName(carried)} picked up: the arrow keys carry it, Enter puts it down, Escape puts it back.`;
   }
-  const paint = paintOf(tool.value, board);
+  const paint = paintOf(tool, board);
   if (paint === null) return notHere;
-  if (tool.value === "belief") playground.timeline.goTo(0);
+  if (tool === "belief") playground.timeline.goTo(0);
   const painted = stroke(document, paint, cell);
   begin(playground, painted);
   finish(playground);
@@ -137,15 +141,17 @@ const notHere = "that is for the enemy’s and the friend’s board.";
 function forObserver(here: Here, kind: "belief" | "camera"): string {
   const role = roleOf(here.board);
   if (role === null) return notHere;
+  const { document } = here;
+  if (document.format !== "gridworld") return "what is believed of a robot at first is edited as text.";
   if (kind === "belief") here.playground.timeline.goTo(0);
   const set = kind === "belief" ? setBelieved : setCamera;
-  return toggle(here, { kind, role }, (document, cell, on) => set(document, role, cell, on));
+  return make(here, set(document, role, here.cell, !isPainted(document, { kind, role }, here.cell)));
 }
 
 function toggle(
   here: Here,
   paint: Paint,
-  set: (document: GridworldDocument, cell: Cell, on: boolean) => GridworldDocument,
+  set: (document: FloorDocument, cell: Cell, on: boolean) => FloorDocument,
 ): string {
   return make(here, set(here.document, here.cell, !isPainted(here.document, paint, here.cell)));
 }
@@ -158,7 +164,7 @@ function remove(here: Here): string {
 }
 
 /** Makes an edit, or says why not. */
-function make({ playground, board, document, cell }: Here, edited: GridworldDocument | string): string {
+function make({ playground, board, document, cell }: Here, edited: FloorDocument | string): string {
   if (playground.editing.drag.value !== null) return "put down first what you carry.";
   if (typeof edited === "string") return edited;
   if (edited === document) return `that can’t be here. ${cellInWords(document, board, cell)}`;

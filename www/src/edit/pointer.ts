@@ -5,7 +5,7 @@ import type { Playground } from "../state/playground.js";
 import { carry, type Drag, stroke } from "./drag.js";
 import { begin, finish, goTo, takeBack } from "./dragging.js";
 import { cellAt, grasped, pointIn } from "./reach.js";
-import { editable, paintOf } from "./tools.js";
+import { editable, paintOf, toolInHand } from "./tools.js";
 
 export interface BoardPointer {
   down: (event: PointerEvent) => void;
@@ -33,7 +33,7 @@ export function boardPointer(board: BoardName, playground: Playground): BoardPoi
       if (point !== null) editing.cursor.value = { board, cell: cellAt(point), shown: false };
       if (drag === null) return;
       holding = { pointer: event.pointerId, x: event.clientX, y: event.clientY };
-      if (editing.tool.value === "belief") playground.timeline.goTo(0);
+      if (toolInHand(playground) === "belief") playground.timeline.goTo(0);
       begin(playground, drag);
       // A brush may leave the board at once; a piece that is only clicked goes on being what is clicked.
       if (drag.kind === "stroke") svg.setPointerCapture(event.pointerId);
@@ -91,7 +91,7 @@ function dragFrom(
   const document = editable(playground);
   const point = pointIn(svg, at);
   if (document === null || point === null) return null;
-  const tool = playground.editing.tool.value;
+  const tool = toolInHand(playground);
   if (tool === "move") {
     const grasp = grasped(document, board, point, touch);
     return grasp === null ? null : carry(document, grasp.piece, grasp.cell);

@@ -2,7 +2,8 @@
 
 import { inside } from "../problem/cells.js";
 import { wallsOf } from "../problem/grid-cells.js";
-import type { Cell, GridworldDocument } from "../problem/types.js";
+import { things } from "../problem/pose-cells.js";
+import type { Cell, FloorDocument } from "../problem/types.js";
 import type { BoardName } from "../stage/board-input.js";
 import type { Piece } from "./drag.js";
 import { pieceAt } from "./tools.js";
@@ -38,12 +39,12 @@ export interface Grasp {
 }
 
 /** The start and the goals are looked for first, as far as the reach goes; walls are many and near each other. */
-export function grasped(document: GridworldDocument, board: BoardName, point: Point, touch: boolean): Grasp | null {
+export function grasped(document: FloorDocument, board: BoardName, point: Point, touch: boolean): Grasp | null {
   const reach = (touch ? TOUCH_REACH : REACH) / point.scale;
   const cell = cellAt(point);
   const here = inside(document, cell) ? pieceAt(document, board, cell) : null;
   if (here !== null && here.kind !== "wall") return { piece: here, cell };
-  const marked = nearest([document.start, ...document.goals.map((goal) => goal.cell)], point, reach);
+  const marked = nearest([...standing(document), ...document.goals.map((goal) => goal.cell)], point, reach);
   if (marked !== null) return grasp(document, board, marked);
   if (here !== null) return { piece: here, cell };
   if (board !== "actor") return null;
@@ -51,7 +52,10 @@ export function grasped(document: GridworldDocument, board: BoardName, point: Po
   return wall === null ? null : grasp(document, board, wall);
 }
 
-function grasp(document: GridworldDocument, board: BoardName, cell: Cell): Grasp | null {
+const standing = (document: FloorDocument): Cell[] =>
+  document.format === "gridworld" ? [document.start] : things(document).map(([, cell]) => cell);
+
+function grasp(document: FloorDocument, board: BoardName, cell: Cell): Grasp | null {
   const piece = pieceAt(document, board, cell);
   return piece === null ? null : { piece, cell };
 }

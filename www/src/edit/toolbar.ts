@@ -2,22 +2,22 @@
 import { html, type TemplateResult } from "lit";
 import type { Playground } from "../state/playground.js";
 import { tools as icons } from "./icons.js";
-import { take, toolNames, tools } from "./tools.js";
+import { take, toolInHand, toolNames, toolsFor } from "./tools.js";
 
 export function toolbar(playground: Playground): TemplateResult | "" {
-  const { history, editing, scene, canReset, mode } = playground;
+  const { history, scene, canReset, mode } = playground;
   if (scene.value === null) return "";
-  const isGrid = scene.value.format === "gridworld";
+  const offered = toolsFor(scene.value.format);
   const resting = mode.value !== "plan";
-  const tool = editing.tool.value;
+  const tool = toolInHand(playground);
   const act = (name: string, icon: TemplateResult, possible: boolean, action: () => void) =>
     html`<button type="button" class="tool" title=${name} aria-label=${name} aria-disabled=${String(!possible)}
       @click=${() => possible && action()}>${icon}<span aria-hidden="true">${name}</span></button>`;
   return html`<section class="toolbar" aria-label="Editing">
     ${
-      isGrid
+      offered.length > 0
         ? html`<div class="tools" role="group" aria-label="Tools">
-            ${tools.map(
+            ${offered.map(
               (
                 name,
               ) => html`<button type="button" class="tool" aria-pressed=${String(name === tool)} title=${toolNames[name].about}
@@ -33,6 +33,6 @@ export function toolbar(playground: Playground): TemplateResult | "" {
       ${act("Redo", icons.redo, history.canRedo.value, () => playground.redo())}
       ${act("Reset", icons.reset, canReset.value, () => playground.reset())}
     </div>
-    ${isGrid ? html`<p class="about ${tool}">${resting ? "The tools rest while a walk is shown." : toolNames[tool].about}</p>` : ""}
+    ${offered.length > 0 ? html`<p class="about ${tool}">${resting ? "The tools rest while a walk is shown." : toolNames[tool].about}</p>` : ""}
   </section>`;
 }

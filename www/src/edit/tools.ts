@@ -3,7 +3,8 @@
 import { sameCell } from "../problem/cells.js";
 import { isWall } from "../problem/grid-cells.js";
 import { goalAt } from "../problem/grid-goals.js";
-import type { GridworldDocument, Role } from "../problem/types.js";
+import { things } from "../problem/pose-cells.js";
+import type { FloorDocument, ProblemDocument, Role } from "../problem/types.js";
 import type { BoardName } from "../stage/board-input.js";
 import type { Cursor, Tool } from "../state/editing.js";
 import type { Playground } from "../state/playground.js";
@@ -35,18 +36,37 @@ export function paintOf(tool: Tool, board: BoardName): Paint | null {
 }
 
 /** What stands in a cell and may be carried on this board: a goal is drawn above the start. */
-export function pieceAt(document: GridworldDocument, board: BoardName, cell: Cursor["cell"]): Piece | null {
+export function pieceAt(document: FloorDocument, board: BoardName, cell: Cursor["cell"]): Piece | null {
   const index = goalAt(document, cell);
   if (index >= 0) return { kind: "goal", index };
-  if (sameCell(document.start, cell)) return { kind: "start" };
+  if (document.format === "gridworld") {
+    if (sameCell(document.start, cell)) return { kind: "start" };
+  } else {
+    const thing = things(document)
+      .filter(([, place]) => sameCell(place, cell))
+      .at(-1)?.[0];
+    if (thing !== undefined) return { kind: "thing", thing };
+  }
   if (board === "actor" && isWall(document, cell)) return { kind: "wall" };
   return null;
 }
 
 /** The grid that the next edit starts from; null where there is none, or where the boards are not for editing now. */
-export function editable({ latest, mode }: Playground): GridworldDocument | null {
-  return latest?.format === "gridworld" && mode.value === "plan" ? latest : null;
+export function editable({ latest, mode }: Playground): FloorDocument | null {
+  return latest !== null && isFloor(latest) && mode.value === "plan" ? latest : null;
 }
+
+const floors: readonly ProblemDocument["format"][] = ["gridworld", "box-pushing", "recycling-robot"];
+
+export const isFloor = (document: ProblemDocument): document is FloorDocument => floors.includes(document.format);
+
+/** Where a robot stands is not all that is believed of it: its first beliefs are written as text. */
+export const toolsFor = (format: ProblemDocument["format"]): readonly Tool[] =>
+  format === "gridworld" ? tools : floors.includes(format) ? ["move", "walls"] : [];
+
+/** The tool in the hand; one that the problem open now has no use for is put down. */
+export const toolInHand = ({ editing, latest }: Playground): Tool =>
+  latest !== null && toolsFor(latest.format).includes(editing.tool.value) ? editing.tool.value : "move";
 
 export const roleOf = (board: BoardName): Role | null => (board === "actor" ? null : board);
 

@@ -138,6 +138,88 @@ export const entries: readonly Entry[] = [
       { title: "One from each", trueGoal: "a1+b1+c1" },
     ],
   },
+  {
+    name: "box-pushing",
+    title: "Pushing a box",
+    about:
+      "A robot pushes a box, and the enemy tells turns from moves: in 4 actions it knows the goal, in 11 by a way about it knows nothing.",
+    plans: [
+      { title: "Straight up", plan: ["move-forward", "turn-left", "move-forward", "move-forward"] },
+      { title: "A way about" },
+    ],
+  },
+  {
+    name: "recycling-robot",
+    title: "A recycling robot",
+    about:
+      "A can goes into one of three bins. 9 actions tell the enemy which; with a spare charge and a pause, 14 tell the friend alone.",
+    plans: [
+      {
+        title: "Straight there",
+        plan: ["south", "south", "west", "charge", "south", "pick-up", "west", "west", "drop"],
+      },
+      { title: "Charge and pause" },
+    ],
+  },
+  {
+    name: "blocks",
+    title: "Towers of blocks",
+    about:
+      "The enemy hears what is done, not with which block. A detour of 16 actions gives the tower away; the shortest way, 14, hides it.",
+    plans: [
+      {
+        title: "A detour",
+        plan: [
+          ...["(unstack e a)", "(put-down e)", "(unstack a b)", "(stack a e)", "(unstack b d)", "(put-down b)"],
+          ...["(pick-up c)", "(stack c b)", "(pick-up d)", "(stack d c)", "(unstack a e)", "(put-down a)"],
+          ...["(pick-up e)", "(stack e d)", "(pick-up a)", "(stack a e)"],
+        ],
+      },
+      { title: "The shortest" },
+    ],
+  },
+  {
+    name: "blocks-unseen",
+    title: "Towers in the dark",
+    about:
+      "The enemy is not told how the blocks stand at first: 501 ways are possible. After 12 actions all five goals still are.",
+  },
+  {
+    name: "logistics",
+    title: "Trucks and an airplane",
+    about:
+      "Two packages fly to the other city. Loading one truck with both, and driving another for nothing, leaves the enemy three of five goals.",
+    plans: [
+      {
+        title: "Straight there",
+        plan: [
+          ...["(load-airplane p1 plane1 airport1)", "(load-airplane p2 plane1 airport1)"],
+          ...["(fly-airplane plane1 airport1 airport2)", "(unload-airplane p1 plane1 airport2)"],
+          ...["(load-truck p1 truck2 airport2)", "(drive-truck truck2 airport2 place2)"],
+          ...["(unload-truck p1 truck2 place2)", "(unload-airplane p2 plane1 airport2)"],
+        ],
+      },
+      { title: "For nothing" },
+    ],
+  },
+  {
+    name: "driverlog",
+    title: "Drivers on foot",
+    about:
+      "The same 11 actions, but one package stays in the truck while its driver fetches another: that leaves the enemy five goals, not three.",
+    plans: [
+      {
+        title: "Unload at once",
+        plan: [
+          ...["(load-truck p1 truck2 s1)", "(load-truck p2 truck2 s1)", "(board-truck driver1 truck2 s1)"],
+          ...["(drive-truck truck2 s1 s2 driver1)", "(unload-truck p1 truck2 s2)", "(unload-truck p2 truck2 s2)"],
+          ...["(leave-truck driver1 truck2 s2)", "(walk driver1 s2 f2-3)", "(walk driver1 f2-3 s3)"],
+          ...["(board-truck driver1 truck1 s3)", "(drive-truck truck1 s3 s2 driver1)"],
+        ],
+      },
+      { title: "Unload last" },
+    ],
+  },
 ];
 
 export const entryNamed = (name: string): Entry | undefined => entries.find((entry) => entry.name === name);

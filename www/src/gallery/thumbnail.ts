@@ -1,15 +1,21 @@
 // A problem as a very small picture, drawn from its document.
 import { html, svg, type TemplateResult } from "lit";
-import type { Cell, DeliveryDocument, GridworldDocument, ProblemDocument } from "../problem/types.js";
+import type {
+  BoxPushingDocument,
+  Cell,
+  DeliveryDocument,
+  GridworldDocument,
+  ProblemDocument,
+  RecyclingRobotDocument,
+} from "../problem/types.js";
 import { starPath } from "../view/icons.js";
+import { pictogram } from "./pictogram.js";
 
 export function thumbnail(document: ProblemDocument): TemplateResult {
   if (document.format === "gridworld") return grid(document);
   if (document.format === "delivery") return delivery(document);
-  return html`<svg class="thumbnail" viewBox="0 0 8 8" aria-hidden="true">${svg`
-    <path class="graph" d="M1.5 4L6.5 1.5M1.5 4L6.5 6.5"></path>
-    <circle class="dark" cx="1.5" cy="4" r="1"></circle>
-    <circle class="goal" cx="6.5" cy="1.5" r="1"></circle><circle class="goal" cx="6.5" cy="6.5" r="1"></circle>`}</svg>`;
+  if (document.format === "box-pushing" || document.format === "recycling-robot") return floor(document);
+  return pictogram(document);
 }
 
 const square = ([column, row]: Cell) => `M${column} ${row}h1v1h-1z`;
@@ -25,6 +31,20 @@ function grid({ width, height, walls = [], start, goals, true_goal, observers }:
     <path class="watched" d=${cameras.map(square).join("")}></path>
     <path class="dark" d=${walls.map(square).join("")}></path>
     <circle class="dark" cx=${start[0] + 0.5} cy=${start[1] + 0.5} r=${radius * 0.8}></circle>
+    ${goals.map(({ name, cell }) => goal(cell, radius, name === true_goal))}`}</svg>`;
+}
+
+/** Like a grid, with what the robot moves as a square. */
+function floor(document: BoxPushingDocument | RecyclingRobotDocument): TemplateResult {
+  const { width, height, walls = [], start, goals, true_goal } = document;
+  const size = Math.max(width, height);
+  const moved = "box" in start ? start.box : start.can;
+  const radius = Math.max(0.42, size / 20);
+  return html`<svg class="thumbnail" viewBox="${(width - size) / 2} ${(height - size) / 2} ${size} ${size}" aria-hidden="true">${svg`
+    <rect class="ground" width=${width} height=${height} rx=${size / 24}></rect>
+    <path class="dark" d=${walls.map(square).join("")}></path>
+    <circle class="dark" cx=${start.robot[0] + 0.5} cy=${start.robot[1] + 0.5} r=${radius * 0.8}></circle>
+    ${moved === "held" ? "" : svg`<rect class="parcel" x=${moved[0] + 0.15} y=${moved[1] + 0.15} width="0.7" height="0.7" rx="0.1"></rect>`}
     ${goals.map(({ name, cell }) => goal(cell, radius, name === true_goal))}`}</svg>`;
 }
 

@@ -1,5 +1,6 @@
 // Walking by key and by touch, on the agent's board.
 import { svg, type TemplateResult } from "lit";
+import type { Scene, State } from "../core.js";
 import type { Playground } from "../state/playground.js";
 import { icon } from "../view/icons.js";
 
@@ -13,6 +14,23 @@ export const arrows: Record<string, { action: string; sign: TemplateResult; colu
   ArrowDown: { action: "south", sign: arrow(180), columns: 0, rows: 1 },
 };
 
+/** The keys of each kind of board, and the actions they are for. */
+const keysOf: Partial<Record<Scene["format"], Record<string, string>>> = {
+  gridworld: directions({ s: "stay", ".": "stay" }),
+  "box-pushing": {
+    ...{ ArrowUp: "move-forward", ArrowLeft: "turn-left", ArrowRight: "turn-right" },
+    ...{ s: "stay", ".": "stay" },
+  },
+  "recycling-robot": directions({ s: "stay", ".": "stay", p: "pick-up", d: "drop", c: "charge" }),
+};
+
+function directions(more: Record<string, string>): Record<string, string> {
+  return { ...Object.fromEntries(Object.entries(arrows).map(([key, { action }]) => [key, action])), ...more };
+}
+
+/** Whether there is a board to walk on. */
+export const hasWalkKeys = ({ format }: Scene): boolean => keysOf[format] !== undefined;
+
 /** Takes the action of a key pressed on the agent's board; true where the key was one. */
 export function walkByKey(playground: Playground, event: KeyboardEvent): boolean {
   if (playground.mode.value !== "walk" || event.altKey || event.ctrlKey || event.metaKey) return false;
@@ -21,7 +39,7 @@ export function walkByKey(playground: Playground, event: KeyboardEvent): boolean
     void playground.walker.back();
     return true;
   }
-  const action = event.key === "s" || event.key === "." ? "stay" : arrows[event.key]?.action;
+  const action = keysOf[playground.scene.value?.format ?? "explicit"]?.[event.key];
   if (action === undefined) return false;
   event.preventDefault();
   void playground.walker.take(action);
@@ -30,14 +48,20 @@ export function walkByKey(playground: Playground, event: KeyboardEvent): boolean
 
 /** Walks to a cell beside the agent, or stays on its own. */
 function walkToCell(playground: Playground, column: number, row: number): void {
-  const state = playground.timeline.shown.value?.state;
-  if (playground.mode.value !== "walk" || !Array.isArray(state)) return;
-  const [columns, rows] = [column - Number(state[0]), row - Number(state[1])];
+  const here = standing(playground.timeline.shown.value?.state);
+  // A robot that turns does not go where one points.
+  if (playground.mode.value !== "walk" || here === null || playground.scene.value?.format === "box-pushing") return;
+  const [columns, rows] = [column - here[0], row - here[1]];
   const action =
     columns === 0 && rows === 0
       ? "stay"
       : Object.values(arrows).find((way) => way.columns === columns && way.rows === rows)?.action;
   if (action !== undefined) void playground.walker.take(action);
+}
+
+function standing(state: State | undefined): [number, number] | null {
+  const cell = typeof state === "object" && "robot" in state ? state.robot : state;
+  return Array.isArray(cell) ? [Number(cell[0]), Number(cell[1])] : null;
 }
 
 /** The cell of a grid's board under the pointer. */

@@ -1,24 +1,28 @@
 // The controls of a walk: what can be done now, a step back, and how the walk compares with the best of its length.
 import { html, type TemplateResult } from "lit";
+import type { Scene } from "../core.js";
 import type { Playground } from "../state/playground.js";
 import type { Verdict, Walk } from "../state/walk.js";
 import { shortNumber } from "../view/numbers.js";
+import { chooser } from "./chooser.js";
 import { arrows } from "./walk-keys.js";
 
-/** More buttons than these are a list. */
-const MANY = 12;
+const hints: Partial<Record<Scene["format"], string>> = {
+  gridworld: "Use the arrow keys on the agent's board, click a cell beside the agent, or these buttons.",
+  "box-pushing":
+    "Use the keys on the agent's board (up: move forward, left and right: turn, S: stay), or these buttons.",
+  "recycling-robot":
+    "Use the keys on the agent's board (arrows, P: pick up, D: drop, C: charge, S: stay), or these buttons.",
+};
 
 export function walkPanel(playground: Playground): TemplateResult {
   const walk = playground.walker;
-  const grid = playground.scene.value?.format === "gridworld";
+  const format = playground.scene.value?.format;
+  const grid = format === "gridworld";
   const { step } = playground.timeline;
   return html`<div class="play walk">
-    <p>${
-      grid
-        ? "Use the arrow keys on the agent's board, click a cell beside the agent, or these buttons."
-        : "Choose what to do next."
-    } Reach the true goal, marked with a star.</p>
-    ${grid ? pad(walk) : list(walk)}
+    <p>${(format !== undefined && hints[format]) || "Choose what to do next."} Reach the true goal, marked with a star.</p>
+    ${grid ? pad(walk) : chooser(walk)}
     <div class="actions">
       <button type="button" ?disabled=${step.value === 0} @click=${() => void walk.back()}>Take back a step</button>
       <button type="button" ?disabled=${step.value === 0} @click=${() => void walk.start()}>Start over</button>
@@ -42,16 +46,6 @@ function pad(walk: Walk): TemplateResult {
         }</button>`,
     )}
   </div>`;
-}
-
-function list(walk: Walk): TemplateResult {
-  const next = walk.next.value;
-  if (next.length === 0) return html`<p>There is nothing left to do.</p>`;
-  return html`<ul class="next ${next.length > MANY ? "many" : ""}" aria-label="What can be done now">
-    ${next.map(
-      ({ action }) => html`<li><button type="button" @click=${() => void walk.take(action)}>${action}</button></li>`,
-    )}
-  </ul>`;
 }
 
 function judged(walk: Walk, verdict: Verdict): TemplateResult | string {

@@ -1,22 +1,25 @@
 // Edits of a grid's cells: where things stand, walls, first beliefs and cameras. What can't be done leaves the document
 // as it is, so that whatever is dragged or painted, the core takes what comes out.
 import { everyCell, hasCell, inside, sameCell, without } from "./cells.js";
-import type { Cell, GridObserver, GridworldDocument, Role } from "./types.js";
+import { poseTaken, setPoseWall } from "./pose-cells.js";
+import type { Cell, FloorDocument, GridObserver, GridworldDocument, Role } from "./types.js";
 
 const roles: readonly Role[] = ["adversarial", "cooperative"];
 
-export const wallsOf = (document: GridworldDocument): readonly Cell[] => document.walls ?? [];
+export const wallsOf = (document: FloorDocument): readonly Cell[] => document.walls ?? [];
 
-export const isWall = (document: GridworldDocument, cell: Cell): boolean => hasCell(wallsOf(document), cell);
+export const isWall = (document: FloorDocument, cell: Cell): boolean => hasCell(wallsOf(document), cell);
 
-export const isFree = (document: GridworldDocument, cell: Cell): boolean =>
+export const isFree = (document: FloorDocument, cell: Cell): boolean =>
   inside(document, cell) && !isWall(document, cell);
 
 /** The start or a goal stands there: it can't become a wall. */
-export const isTaken = (document: GridworldDocument, cell: Cell): boolean =>
-  sameCell(document.start, cell) || document.goals.some((goal) => sameCell(goal.cell, cell));
+export const isTaken = (document: FloorDocument, cell: Cell): boolean =>
+  document.format === "gridworld"
+    ? sameCell(document.start, cell) || document.goals.some((goal) => sameCell(goal.cell, cell))
+    : poseTaken(document, cell);
 
-export const freeCells = (document: GridworldDocument): Cell[] => {
+export const freeCells = (document: FloorDocument): Cell[] => {
   const walls = new Set(wallsOf(document).map(String));
   return everyCell(document).filter((cell) => !walls.has(String(cell)));
 };
@@ -62,12 +65,14 @@ export function moveStart(document: GridworldDocument, cell: Cell): GridworldDoc
   return moved;
 }
 
-export function moveGoal(document: GridworldDocument, index: number, cell: Cell): GridworldDocument {
+export function moveGoal<D extends FloorDocument>(document: D, index: number, cell: Cell): D {
   if (!isFree(document, cell)) return document;
   return { ...document, goals: document.goals.map((goal, at) => (at === index ? { ...goal, cell } : goal)) };
 }
 
-export function setWall(document: GridworldDocument, cell: Cell, wall: boolean): GridworldDocument {
+export function setWall<D extends FloorDocument>(document: D, cell: Cell, wall: boolean): D;
+export function setWall(document: FloorDocument, cell: Cell, wall: boolean): FloorDocument {
+  if (document.format !== "gridworld") return setPoseWall(document, cell, wall);
   if (!inside(document, cell) || isWall(document, cell) === wall) return document;
   if (!wall) return { ...document, walls: without(wallsOf(document), cell) };
   if (isTaken(document, cell)) return document;
@@ -79,7 +84,7 @@ export function setWall(document: GridworldDocument, cell: Cell, wall: boolean):
   return walled;
 }
 
-export function moveWall(document: GridworldDocument, from: Cell, to: Cell): GridworldDocument {
+export function moveWall<D extends FloorDocument>(document: D, from: Cell, to: Cell): D {
   if (!isFree(document, to) || isTaken(document, to)) return document;
   return setWall(setWall(document, from, false), to, true);
 }

@@ -31,10 +31,12 @@ const lineByLine = (lines: string[]): string =>
 /** Short entries fill lines; long ones get one each. */
 function rows(list: unknown[], depth: number, indent: string, end: string): string {
   const lines: string[] = [];
+  // PDDL is a list of lines, and stays one.
+  const isText = list.some((entry) => typeof entry === "string" && entry.includes("("));
   for (const entry of list) {
     const text = block(entry, depth + 1);
     const last = lines.at(-1);
-    const short = Array.isArray(entry) || typeof entry !== "object";
+    const short = !isText && (Array.isArray(entry) || typeof entry !== "object");
     if (short && last !== undefined && last.length + text.length + 2 + indent.length <= LINE) {
       lines[lines.length - 1] = `${last}, ${text}`;
     } else {

@@ -40,9 +40,66 @@ export interface DeliveryDocument {
   observers: Record<Role, DeliveryObserver>;
 }
 
+export interface BoxPose {
+  robot: Cell;
+  facing: "north" | "south" | "east" | "west";
+  box: Cell;
+}
+
+export interface RobotPose {
+  robot: Cell;
+  battery: number;
+  can: Cell | "held";
+}
+
+export interface PoseObserver<Pose> {
+  /** The start alone when left out. */
+  initial_belief?: Pose[];
+  sensor: Record<string, string>;
+}
+
+interface OnFloor<Pose> {
+  width: number;
+  height: number;
+  walls?: Cell[];
+  start: Pose;
+  goals: GridGoal[];
+  true_goal: string;
+  observers: Record<Role, PoseObserver<Pose>>;
+}
+
+export interface BoxPushingDocument extends OnFloor<BoxPose> {
+  format: "box-pushing";
+}
+
+export interface RecyclingRobotDocument extends OnFloor<RobotPose> {
+  format: "recycling-robot";
+  charger: Cell;
+  battery_levels: number;
+}
+
+/** A robot on a floor, and something that it moves. */
+export type PoseDocument = BoxPushingDocument | RecyclingRobotDocument;
+
+/** The documents that are edited on the boards. */
+export type FloorDocument = GridworldDocument | PoseDocument;
+
+/** A domain and a problem in PDDL, each one text or the list of its lines. */
+export interface PddlDocument {
+  format: "pddl";
+  domain: string | string[];
+  problem: string | string[];
+}
+
 /** Every other format is edited as text alone. */
 export interface OtherDocument {
   format: "explicit";
 }
 
-export type ProblemDocument = GridworldDocument | DeliveryDocument | OtherDocument;
+export type ProblemDocument =
+  | GridworldDocument
+  | DeliveryDocument
+  | BoxPushingDocument
+  | RecyclingRobotDocument
+  | PddlDocument
+  | OtherDocument;

@@ -3,8 +3,10 @@ import { effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
 import type { TraceStep } from "../core.js";
 import type { Playground } from "../state/playground.js";
+import { actionText } from "../view/action.js";
 import { called, type Role } from "../view/observers.js";
 import { pressed } from "../view/pressed.js";
+import { stateCount } from "./belief-size.js";
 
 /** A key held down, or an edit that is solved again and again, is one change and not many. */
 const QUIET_MS = 250;
@@ -47,14 +49,14 @@ function sentence({ timeline, mode }: Playground): string {
   const shown = timeline.shown.value;
   // Playing would be a stream of words: only the step it stops at is said.
   if (shown === null || timeline.playing.value) return "";
-  const where = `Step ${timeline.step.value}${shown.action === null || mode.value === "guess" ? "" : `, ${shown.action}`}`;
+  const where = `Step ${timeline.step.value}${shown.action === null || mode.value === "guess" ? "" : `, ${actionText(shown.action)}`}`;
   if (mode.value === "guess") return `${where}: ${part("adversarial", shown)}.`;
   return `${where}: ${part("adversarial", shown)}; ${part("cooperative", shown)}.`;
 }
 
 function part(role: Role, shown: TraceStep): string {
   const symbol = shown.symbols[role];
-  const states = shown.beliefs[role].length;
+  const states = stateCount(shown, role);
   return [
     `the ${called[role]} ${symbol === null ? "has seen nothing yet" : `saw ${symbol}`}`,
     `${states} ${states === 1 ? "state" : "states"} left`,

@@ -4,7 +4,10 @@ import { glossaryLink } from "../help/glossary-link.js";
 import type { Playground } from "../state/playground.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { called, type Role, roles } from "../view/observers.js";
+import { isDelivery } from "./delivery/facts.js";
 import { type GoalView, goalViews } from "./goal-attributes.js";
+import { isGrid } from "./grid/cells.js";
+import { viewOf } from "./lazy-views.js";
 
 export function goalList(playground: Playground): TemplateResult | "" {
   const scene = playground.scene.value;
@@ -12,6 +15,11 @@ export function goalList(playground: Playground): TemplateResult | "" {
   const end = trace.value?.steps.at(-1);
   if (scene === null || shown.value === null || end === undefined) return "";
   const ends = goalViews(scene, end);
+  const view = isGrid(scene) || isDelivery(scene) ? null : viewOf(scene);
+  const asked = (index: number) => {
+    const words = view?.goal?.(index) ?? "";
+    return words === "" ? "" : html`<span class="asked">${words}</span>`;
+  };
   const guessing = playground.mode.value === "guess";
   const shownRoles = guessing ? roles.filter((role) => role === "adversarial") : roles;
   return html`<table class="goals">
@@ -34,6 +42,7 @@ export function goalList(playground: Playground): TemplateResult | "" {
                     @click=${() => playground.story.choose(goal.name)}>${goal.name}</button>`
             }
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
+            ${asked(index)}
           </th>
           ${shownRoles.map((role) => survival(role, goal, guessing || playground.difference.value === null ? undefined : ends[index]))}
         </tr>`,

@@ -2,7 +2,9 @@
 import { html, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import type { Playground } from "../state/playground.js";
 import { starPath } from "../view/icons.js";
+import { isDelivery } from "./delivery/facts.js";
 import { isGrid } from "./grid/cells.js";
+import { viewOf } from "./lazy-views.js";
 
 const sample = (mark: SVGTemplateResult, meaning: string) =>
   html`<li><svg class="board" viewBox="0 0 1 1" aria-hidden="true">${mark}</svg>${meaning}</li>`;
@@ -15,7 +17,8 @@ const strike = svg`<line class="strike" x1="0.08" y1="0.82" x2="0.92" y2="0.18">
 /** Only boards that are drawn need one. */
 export function legend(playground: Playground): TemplateResult | "" {
   const scene = playground.scene.value;
-  return scene !== null && isGrid(scene) ? signs : "";
+  if (scene === null || isDelivery(scene)) return "";
+  return isGrid(scene) ? signs : (viewOf(scene)?.legend?.() ?? "");
 }
 
 const signs: TemplateResult = html`<ul class="legend" aria-label="What the signs mean">

@@ -1,6 +1,7 @@
 // The head of a panel: who it is about, and what has just happened to them.
 import { html, type TemplateResult } from "lit";
 import type { Playground } from "../state/playground.js";
+import { actionText } from "../view/action.js";
 import { agentFace, enemyEye, friendEye } from "../view/icons.js";
 import type { BoardName } from "./board-input.js";
 
@@ -22,7 +23,7 @@ function now(name: BoardName, { timeline, mode }: Playground): TemplateResult | 
   if (name === "actor") {
     const who = mode.value === "walk" ? "You" : "The agent";
     if (shown.action === null) return `${who} ${mode.value === "walk" ? "stand" : "stands"} at the start.`;
-    return html`${who} did <b title=${shown.action}>${shown.action}</b>.`;
+    return html`${who} did <b title=${shown.action}>${actionText(shown.action)}</b>.`;
   }
   const symbol = shown.symbols[name];
   return symbol === null ? "Has seen nothing yet." : html`Was told <b title=${symbol}>${symbol}</b>.`;

@@ -1,10 +1,9 @@
 // The stage: the agent in the middle, the enemy on one side and the friend on the other, all at the same step.
 import { html, nothing, type TemplateResult } from "lit";
-import { walkByKey, walkByPointer } from "../play/walk-keys.js";
+import { hasWalkKeys, walkByKey, walkByPointer } from "../play/walk-keys.js";
 import type { Playground } from "../state/playground.js";
 import type { BoardInput, BoardName } from "./board-input.js";
 import { goalDifference } from "./goal-difference.js";
-import { isGrid } from "./grid/cells.js";
 import { panelHead } from "./panel-head.js";
 import { picture } from "./picture.js";
 import { survivors } from "./survivors.js";
@@ -15,7 +14,7 @@ const boardNames: readonly BoardName[] = ["actor", "adversarial", "cooperative"]
 /** While the person walks, the agent's board takes arrow keys and touches. */
 function walkable(name: BoardName, input: BoardInput, playground: Playground): TemplateResult {
   const drawn = picture(name, input, playground);
-  if (name !== "actor" || playground.mode.value !== "walk" || !isGrid(input.scene)) return drawn;
+  if (name !== "actor" || playground.mode.value !== "walk" || !hasWalkKeys(input.scene)) return drawn;
   return html`<div class="walkable" tabindex="0" role="application" aria-label="The agent's board: walk with the arrow keys"
     @keydown=${(event: KeyboardEvent) => walkByKey(playground, event)}
     @click=${(event: MouseEvent) => walkByPointer(playground, event)}>${drawn}</div>`;

@@ -3,7 +3,9 @@ import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
 import type { Playground } from "../state/playground.js";
 import { possible, ruledOut, star } from "../view/icons.js";
+import { wholeNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
+import { stateCount } from "./belief-size.js";
 import type { BoardInput } from "./board-input.js";
 import { goalViews } from "./goal-attributes.js";
 import { isGrid } from "./grid/cells.js";
@@ -14,10 +16,10 @@ const MANY = 12;
 export function survivors(role: Role, { scene, shown }: BoardInput, { story, mode }: Playground): TemplateResult {
   const goals = goalViews(scene, shown);
   const count = goals.filter((goal) => goal.alive[role]).length;
-  const states = shown.beliefs[role].length;
+  const states = stateCount(shown, role);
   const noun = isGrid(scene) ? "place" : "state";
   return html`<p class="belief">
-      ${glossaryLink("belief", "Believes")} in <b>${states}</b> ${noun}${states === 1 ? "" : "s"}: <b>${count}</b> of ${goals.length} goals ${glossaryLink("possible", "possible")}
+      ${glossaryLink("belief", "Believes")} in <b>${wholeNumber(states)}</b> ${noun}${states === 1 ? "" : "s"}: <b>${count}</b> of ${goals.length} goals ${glossaryLink("possible", "possible")}
     </p>
     <ul class="survivors ${goals.length > MANY ? "many" : ""}" tabindex=${goals.length > MANY ? 0 : nothing} aria-label="Goals for the ${called[role]}">
       ${goals.map(

@@ -2,6 +2,7 @@
 import { html, type TemplateResult } from "lit";
 import type { TraceStep } from "../core.js";
 import type { Playground } from "../state/playground.js";
+import { actionText } from "../view/action.js";
 import type { BoardName } from "./board-input.js";
 
 const labels: Record<BoardName, string> = {
@@ -12,7 +13,7 @@ const labels: Record<BoardName, string> = {
 
 export function symbols(name: BoardName, playground: Playground): TemplateResult {
   const { trace, step } = playground.timeline;
-  const of = (shown: TraceStep) => (name === "actor" ? shown.action : shown.symbols[name]);
+  const of = (shown: TraceStep) => (name === "actor" ? actionText(shown.action) : shown.symbols[name]);
   const steps = trace.value?.steps.slice(1) ?? [];
   // As the enemy one sees what has come, not what will.
   const seen = playground.mode.value === "guess" ? steps.slice(0, step.value) : steps;

@@ -1,6 +1,6 @@
 // You are the enemy: a plan for a goal that you do not know, seen through the enemy's symbols alone, and a guess.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { Scene, Trace, TraceStep } from "../core.js";
+import type { BeliefSummary, Scene, Trace, TraceStep } from "../core.js";
 import { written } from "../problem/text.js";
 import { SolverClient } from "../worker/client.js";
 import type { Playground } from "./playground.js";
@@ -96,6 +96,9 @@ export class Guess {
   }
 }
 
+/** A belief that is kept from the player. */
+const nothing: BeliefSummary = { states: 0, shares: [], left_out: 0, goals: [] };
+
 /** A whole number below `count`. */
 function drawn(count: number): number {
   const [value = 0] = crypto.getRandomValues(new Uint32Array(1));
@@ -109,6 +112,7 @@ function enemysView(step: TraceStep): TraceStep {
     action: null,
     symbols: { ...step.symbols, cooperative: null },
     beliefs: { ...step.beliefs, cooperative: [] },
+    ...(step.summaries === undefined ? {} : { summaries: { ...step.summaries, cooperative: nothing } }),
     goals: { ...step.goals, cooperative: [] },
     goal_difference: 0,
   };

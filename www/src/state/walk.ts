@@ -14,6 +14,8 @@ export class Walk {
   /** What can be done after the step shown. */
   readonly next = signal<readonly NextAction[]>([]);
   readonly message = signal("");
+  /** Words of the action that is looked for. */
+  readonly wanted = signal("");
   readonly verdict = signal<Verdict>({ kind: "walking" });
 
   private plan: readonly string[] = [];
@@ -93,6 +95,7 @@ export class Walk {
       this.asked = plan.length;
       this.next.value = next;
       this.message.value = "";
+      this.wanted.value = "";
       this.playground.showWalk("walk", trace, "end");
     });
     await this.compare(plan, trace);

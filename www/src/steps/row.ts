@@ -1,5 +1,6 @@
 // One step as a row of words and numbers, for the table and for the file.
 import type { TraceStep } from "../core.js";
+import { stateCount } from "../stage/belief-size.js";
 import type { Mode } from "../state/playground.js";
 import { type Role, roles } from "../view/observers.js";
 
@@ -13,7 +14,7 @@ export interface StepRow {
 export function stepRow(shown: TraceStep, step: number): StepRow {
   const seen = (role: Role) => ({
     symbol: shown.symbols[role] ?? "",
-    states: shown.beliefs[role].length,
+    states: stateCount(shown, role),
     goals: shown.goals[role],
   });
   return {

@@ -9,6 +9,8 @@ import { nextTurn } from "./turn.js";
 
 /** What takes longer shows the document first and the plan later; what does not, both at once. */
 const SHOW_AFTER_MS = 60;
+/** Nobody looks at more states of one belief; where there are more, the trace says what they have in common. */
+const MOST_STATES = 100;
 
 let newest = 0;
 let cancelled = 0;
@@ -50,9 +52,9 @@ function perform(core: Core, task: Task, id: number): Answer | Promise<Answer> {
   const problem = opened(core, task.document);
   switch (task.kind) {
     case "trace":
-      return { kind: "traced", trace: problem.trace(task.plan) };
+      return { kind: "traced", trace: problem.overview(task.plan, MOST_STATES) };
     case "walk":
-      return { kind: "walked", trace: problem.trace(task.plan), next: problem.next(task.plan) };
+      return { kind: "walked", trace: problem.overview(task.plan, MOST_STATES), next: problem.next(task.plan) };
     case "solve":
       return solve(problem, task.options, id);
     case "advise":
@@ -84,7 +86,7 @@ async function solve(problem: Problem, options: SolveOptions, id: number): Promi
   const started = performance.now();
   let shown = false;
   const show = () => {
-    if (!shown) post({ kind: "opened", scene: problem.scene(), start: problem.trace([]), id });
+    if (!shown) post({ kind: "opened", scene: problem.scene(), start: problem.overview([], MOST_STATES), id });
     shown = true;
   };
   const run = start(problem, options, show);
@@ -102,7 +104,7 @@ async function solve(problem: Problem, options: SolveOptions, id: number): Promi
   run.free();
   // A newer task may have opened another problem meanwhile; then nobody waits for this answer.
   if (newest !== id) return { kind: "refused", message: "" };
-  return { kind: "solved", scene: problem.scene(), outcome, trace: problem.trace(outcome.plan ?? []) };
+  return { kind: "solved", scene: problem.scene(), outcome, trace: problem.overview(outcome.plan ?? [], MOST_STATES) };
 }
 
 async function advise(problem: Problem, options: SolveOptions, id: number): Promise<Answer> {

@@ -5,6 +5,7 @@ import type { State } from "../../core.js";
 import { boardMarks } from "../../edit/board-marks.js";
 import { boardBlur, boardFocus, boardKey } from "../../edit/keys.js";
 import { boardPointer } from "../../edit/pointer.js";
+import { toolInHand } from "../../edit/tools.js";
 import type { Size } from "../../problem/cells.js";
 import type { Playground } from "../../state/playground.js";
 import { called } from "../../view/observers.js";
@@ -12,7 +13,7 @@ import type { BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
 import { agent, path, start } from "./agent.js";
 import { cellLayer } from "./cell-layer.js";
-import { type Cell, cellOf, type GridInput, type GridScene, keysOf } from "./cells.js";
+import { type Cell, cellOf, type GridInput, keysOf } from "./cells.js";
 import { goalMark } from "./goal.js";
 import { cameraCorners, camerasOn, dots, enlarged, floorSquares, isLarge, squares } from "./marks.js";
 
@@ -26,7 +27,7 @@ export function board(name: BoardName, input: GridInput, playground: Playground)
   const belief = name === "actor" ? [] : shown.beliefs[name];
   const scale = enlarged(scene);
   const pointer = boardPointer(name, playground);
-  return html`<svg class=${classes(scene, playground)} data-board=${name} viewBox=${box}
+  return html`<svg class=${boardClasses(scene, playground)} data-board=${name} viewBox=${box}
     role="application" tabindex="0" aria-label=${described(name, input)} aria-roledescription="board"
     @pointerdown=${pointer.down} @pointermove=${pointer.move} @pointerup=${pointer.up} @pointercancel=${pointer.lost}
     @lostpointercapture=${pointer.lost} @touchstart=${pointer.touch}
@@ -43,8 +44,10 @@ export function board(name: BoardName, input: GridInput, playground: Playground)
   </svg>`;
 }
 
-function classes(scene: GridScene, { editing }: Playground): string {
-  return `board ${editing.tool.value}${isLarge(scene) ? " large" : ""}${editing.drag.value === null ? "" : " dragging"}`;
+/** By the tool in the hand the board says what it can be used for. */
+export function boardClasses(scene: Size, playground: Playground): string {
+  const { editing } = playground;
+  return `board ${toolInHand(playground)}${isLarge(scene) ? " large" : ""}${editing.drag.value === null ? "" : " dragging"}`;
 }
 
 /** What the cells of a large board look like; of a small one, each looks as it does by itself. */

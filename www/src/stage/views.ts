@@ -1,0 +1,27 @@
+// The pictures that are loaded when they are needed: which one a problem gets.
+import "../style/views.css";
+import type { Scene } from "../core.js";
+import { blocksKind, isBlocks } from "./blocks/kind.js";
+import { boxPushingView } from "./box-pushing/view.js";
+import type { View } from "./lazy-views.js";
+import { recyclingView } from "./recycling-robot/view.js";
+import { factsKind, namesKind } from "./states/facts.js";
+import { statesView } from "./states/view.js";
+import { isTransport, transportKind } from "./transport/kind.js";
+
+const known = new WeakMap<Scene, View>();
+
+export function viewOf(scene: Scene): View {
+  const view = known.get(scene) ?? made(scene);
+  known.set(scene, view);
+  return view;
+}
+
+function made(scene: Scene): View {
+  if (scene.format === "box-pushing") return boxPushingView(scene);
+  if (scene.format === "recycling-robot") return recyclingView(scene);
+  if (scene.format !== "pddl") return statesView(scene, namesKind());
+  if (isBlocks(scene)) return statesView(scene, blocksKind(scene));
+  if (isTransport(scene)) return statesView(scene, transportKind(scene));
+  return statesView(scene, factsKind(scene));
+}

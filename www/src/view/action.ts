@@ -1,0 +1,2 @@
+// Actions as people read them: PDDL writes `(stack a b)`.
+export const actionText = (action: string | null): string => (action ?? "").replace(/^\((.*)\)$/s, "$1");
