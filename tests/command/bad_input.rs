@@ -110,7 +110,7 @@ fn gridworld_documents() {
         (
             "\"width\": 8",
             "\"width\": 8, \"width\": 9",
-            "line 1, column 43: the key \"width\" is given twice",
+            "line 1, column 43: found the key \"width\" for the second time, expected each key once",
         ),
         (
             "\"start\": [0, 7]",

@@ -8,10 +8,21 @@ fn texts_that_are_too_long() {
     assert_eq!(message, "document: found 33 MiB of text, expected at most 32 MiB");
 }
 
+/// Holds each text's message against the one expected.
+fn check(table: &[(&str, &str)]) {
+    let mut wrong = Vec::new();
+    for (text, expected) in table {
+        let found = message(text);
+        if found != *expected {
+            wrong.push(format!("found    {found}\nexpected {expected}"));
+        }
+    }
+    assert!(wrong.is_empty(), "\n{}\n", wrong.join("\n"));
+}
+
 #[test]
-fn texts_that_are_no_documents() {
-    let deep = "[".repeat(200);
-    let table = [
+fn texts_that_end_too_soon() {
+    check(&[
         (
             "",
             "line 1, column 1: found the end of the text, expected a value: a text in double quotes, a number, a list, an object, true, false or null",
@@ -19,10 +30,6 @@ fn texts_that_are_no_documents() {
         (
             "\n \n",
             "line 3, column 1: found the end of the text, expected a value: a text in double quotes, a number, a list, an object, true, false or null",
-        ),
-        (
-            "gridworld",
-            "line 1, column 1: found “gridworld”, expected a value: a text in double quotes, a number, a list, an object, true, false or null",
         ),
         (
             "{\"format\": \"gridworld\",",
@@ -35,6 +42,21 @@ fn texts_that_are_no_documents() {
         (
             "{\"format\": \"grid",
             "line 1, column 17: found the end of the text, expected a double quote that ends the text begun before",
+        ),
+        (
+            "{\"walls\": [1, 2",
+            "line 1, column 16: found the end of the text, expected a comma or “]”",
+        ),
+    ]);
+}
+
+#[test]
+fn texts_that_are_not_json() {
+    let deep = "[".repeat(200);
+    check(&[
+        (
+            "gridworld",
+            "line 1, column 1: found “gridworld”, expected a value: a text in double quotes, a number, a list, an object, true, false or null",
         ),
         (
             "{\n  \"format\": 'gridworld'\n}",
@@ -59,10 +81,6 @@ fn texts_that_are_no_documents() {
         ("{format: 3}", "line 1, column 2: found “format”, expected a key in double quotes"),
         ("{\"format\" 3}", "line 1, column 11: found “3”, expected a colon between key and value"),
         ("{\"walls\": [1 2]}", "line 1, column 14: found “2”, expected a comma or “]”"),
-        (
-            "{\"walls\": [1, 2",
-            "line 1, column 16: found the end of the text, expected a comma or “]”",
-        ),
         (
             "{\"ü\": 1,\n \"ä\": \"ö\" \"b\": 2}",
             "line 2, column 11: found “\"b\"”, expected a comma or “}”",
@@ -102,6 +120,12 @@ fn texts_that_are_no_documents() {
             &deep,
             "line 1, column 128: found lists and objects too deep inside of each other, expected at most 127 levels",
         ),
+    ]);
+}
+
+#[test]
+fn texts_that_are_no_documents() {
+    check(&[
         ("[]", "document: found [], expected an object"),
         ("3", "document: found 3, expected an object"),
         ("null", "document: found null, expected an object"),
@@ -125,13 +149,5 @@ fn texts_that_are_no_documents() {
             "{\"Format\": \"gridworld\"}",
             "format: found nothing, expected gridworld, box-pushing, recycling-robot, delivery, explicit or pddl",
         ),
-    ];
-    let mut wrong = Vec::new();
-    for (text, expected) in table {
-        let found = message(text);
-        if found != expected {
-            wrong.push(format!("found    {found}\nexpected {expected}"));
-        }
-    }
-    assert!(wrong.is_empty(), "\n{}\n", wrong.join("\n"));
+    ]);
 }

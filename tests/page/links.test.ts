@@ -4,6 +4,7 @@ import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { pack, unpack } from "../../www/src/share/packed.js";
 import { visit } from "./support/browser.js";
+import { solve } from "./support/core.js";
 import { grid } from "./support/documents.js";
 import { documentOf } from "./support/gallery.js";
 import {
@@ -133,6 +134,20 @@ for (const [title, form, status, problem = grid()] of asked) {
       }
     }));
 }
+
+test("the plan of a link is there while its solver is still at work", () =>
+  visit(async ({ page }) => {
+    const { outcome } = solve(gridworld, { solver: "exact" });
+    const form = { solver: "ip", encoding: "paper", horizon: "16" };
+    const state = { document: gridworld, form, answered: true, plan: outcome.plan, step: 5, mode: "plan" };
+    await follow(page, `#${await pack(JSON.stringify(state))}`);
+    await page.getByText("On the boards: the plan of the link.").waitFor();
+    await page.waitForSelector('mo-copp-playground[data-status="solving"][data-step="5"][data-gd="1"]');
+    await press(page, "Cancel");
+    await statusIs(page, "feasible", "limit");
+    await page.getByText("On the boards: the plan of the link.").waitFor();
+    await stepIs(page, 5);
+  }));
 
 test("a plan of another solver keeps its name, also where it is the best one's", () =>
   visit(async ({ page }) => {

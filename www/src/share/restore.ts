@@ -1,13 +1,20 @@
 // Puts a playground into the state that a link holds.
+import { effect } from "@preact/signals-core";
 import { emptyForm } from "../state/form.js";
 import type { Playground } from "../state/playground.js";
 import { planShown, type SharedState } from "./shared-state.js";
+
+/** Whose the plan is that no solver has found again. */
+const LINK = "the plan of the link";
 
 /** Nothing changes where the link's problem is not right: then the page says why, and false comes back. */
 export async function restore(playground: Playground, state: SharedState): Promise<boolean> {
   // What the link leaves out is as nobody touched it, whatever the page was used for before.
   const form = { ...emptyForm, ...state.form };
-  if (!(await playground.open(state.document, form, state.answered ? "chosen" : "exact"))) return false;
+  const stop = showMeanwhile(playground, state);
+  const right = await playground.open(state.document, form, state.answered ? "chosen" : "exact");
+  stop();
+  if (!right) return false;
   const opened = playground.document.value;
   if (state.tab !== "") playground.workbench.open(state.tab);
   if (state.mode === "guess") {
@@ -24,9 +31,21 @@ export async function restore(playground: Playground, state: SharedState): Promi
   return true;
 }
 
+/** Shows the link's plan while a solver that takes long is at work. */
+function showMeanwhile(playground: Playground, { document, plan = [], title, step, mode }: SharedState): () => void {
+  let begun = false;
+  return effect(() => {
+    const solving = playground.status.value === "solving" && playground.document.value?.text === document;
+    if (begun || !solving || plan.length === 0 || mode !== "plan") return;
+    begun = true;
+    const wanted = () => playground.status.value === "solving";
+    void playground.showPlan(plan, title ?? LINK, wanted).then(() => wanted() && playground.timeline.goTo(step));
+  });
+}
+
 async function showPlan(playground: Playground, plan: string[], { mode, title }: SharedState): Promise<void> {
   if (mode === "walk") return playground.walker.resume(plan);
-  return playground.showPlan(plan, title ?? "the plan of the link");
+  return playground.showPlan(plan, title ?? LINK);
 }
 
 const same = (one: readonly string[], other: readonly string[]): boolean =>

@@ -93,10 +93,10 @@ export abstract class Session {
     this.client.cancel();
   }
 
-  /** Shows another plan than the result's: `title` says whose. */
-  async showPlan(plan: string[], title: string): Promise<void> {
+  /** Shows another plan than the result's: `title` says whose; `wanted`, whether it is still, once its steps are there. */
+  async showPlan(plan: string[], title: string, wanted = () => true): Promise<void> {
     const trace = await this.replay(plan);
-    if (trace === null) return;
+    if (trace === null || !wanted()) return;
     batch(() => {
       this.mode.value = "plan";
       this.chosen.value = title;
