@@ -2,7 +2,7 @@
 
     python benches/compare_pyperplan.py [--seconds 30] [--planner target/release/mo-copp] FOLDER [NAME]...
 
-with a Python that has pyperplan 2.1 (as on PyPI), on the tasks in FOLDER/NAME/{domain,instance-N}.pddl; NAME is
+with a Python that has pyperplan 2.1, on the tasks in FOLDER/NAME/{domain,instance-N}.pddl; NAME is
 blocks, logistics and driverlog when none is given. Both run on the same task one after the other, so that
 a machine that is busy is busy for both.
 

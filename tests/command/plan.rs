@@ -69,12 +69,14 @@ fn no_plan_and_limits() {
     assert_eq!((ran.code, &answer["status"], &answer["plan"]), (3, &json!("limit"), &json!(null)));
     assert_eq!(answer["limit"], json!("expansion limit reached: 0"));
     // What would never fit is a limit too, and no error.
-    let parameters: String = (0..12).map(|number| format!(" ?x{number}")).collect();
+    let parameters: Vec<String> = (0..12).map(|number| format!("?x{number}")).collect();
+    let parameters = parameters.join(" ");
     let domain = DOMAIN.replace(
         "(?a) :precondition (near ?a) :effect (lit ?a)",
         &format!("({parameters}) :effect (lit ?x0)"),
     );
-    let objects: String = (0..100).map(|number| format!(" o{number}")).collect();
+    let objects: Vec<String> = (0..100).map(|number| format!("o{number}")).collect();
+    let objects = objects.join(" ");
     let ran = plan(&domain, &TASK.replace("A b", &format!("a b {objects}")), &[]);
     assert_eq!((ran.code, ran.out.as_str()), (3, ""));
     assert!(ran.err.contains("grounding limit reached: 1000000 operators"), "{}", ran.err);

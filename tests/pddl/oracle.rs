@@ -49,6 +49,7 @@ const TYPES: [&str; 4] = ["object", "t1", "t2", "t3"];
 const ABOVE: [&[usize]; 4] = [&[0], &[0, 1], &[0, 1, 2], &[0, 3]];
 const CONSTANTS: usize = 1;
 const MOST_STATES: usize = 400;
+const WORLDS: usize = 3000;
 
 fn is_a(below: usize, above: usize) -> bool {
     ABOVE[below].contains(&above)
@@ -170,38 +171,38 @@ impl World {
         tuples
     }
 
-    fn object(&self, object: usize) -> String {
+    fn object(object: usize) -> String {
         if object < CONSTANTS { format!("c{object}") } else { format!("o{object}") }
     }
 
-    fn atom(&self, (predicate, objects): &Atom) -> String {
+    fn atom((predicate, objects): &Atom) -> String {
         let mut text = format!("(p{predicate}");
         for &object in objects {
-            text += &format!(" {}", self.object(object));
+            text += &format!(" {}", Self::object(object));
         }
         text + ")"
     }
 
-    fn literal(&self, literal: &Literal) -> String {
+    fn literal(literal: &Literal) -> String {
         let mut text =
             literal.predicate.map_or("(=".to_owned(), |predicate| format!("(P{predicate}"));
         for &term in &literal.terms {
             text += &match term {
                 Term::Parameter(position) => format!(" ?x{position}"),
-                Term::Object(object) => format!(" {}", self.object(object)),
+                Term::Object(object) => format!(" {}", Self::object(object)),
             };
         }
         text.push(')');
         if literal.negated { format!("(not {text})") } else { text }
     }
 
-    fn conjunction(&self, literals: &[Literal]) -> String {
-        let all: Vec<String> = literals.iter().map(|literal| self.literal(literal)).collect();
+    fn conjunction(literals: &[Literal]) -> String {
+        let all: Vec<String> = literals.iter().map(Self::literal).collect();
         format!("(and {})", all.join(" "))
     }
 
-    fn state(&self, state: &Atoms) -> String {
-        state.iter().map(|atom| self.atom(atom)).collect::<Vec<_>>().join(" ")
+    fn state(state: &Atoms) -> String {
+        state.iter().map(Self::atom).collect::<Vec<_>>().join(" ")
     }
 
     fn domain(&self) -> String {
@@ -209,7 +210,7 @@ impl World {
         let mut text =
             "(define (domain d) (:types t1 t3 - object t2 - t1)\n (:constants".to_owned();
         for object in 0..CONSTANTS {
-            text += &format!(" {}", typed(self.object(object), self.objects[object]));
+            text += &format!(" {}", typed(Self::object(object), self.objects[object]));
         }
         text += ")\n (:predicates";
         for (number, types) in self.predicates.iter().enumerate() {
@@ -226,7 +227,7 @@ impl World {
                 text += &format!(" {}", typed(format!("?x{position}"), kind));
             }
             let (pre, effect) =
-                (self.conjunction(&action.precondition), self.conjunction(&action.effect));
+                (Self::conjunction(&action.precondition), Self::conjunction(&action.effect));
             text += &format!(")\n  :precondition {pre}\n  :effect {effect})");
         }
         text + ")"
@@ -235,9 +236,9 @@ impl World {
     fn task(&self) -> String {
         let mut text = "(define (problem p) (:domain d) (:objects".to_owned();
         for object in CONSTANTS..self.objects.len() {
-            text += &format!(" {} - {}", self.object(object), TYPES[self.objects[object]]);
+            text += &format!(" {} - {}", Self::object(object), TYPES[self.objects[object]]);
         }
-        let (init, goal) = (self.state(&self.states[0]), self.conjunction(&self.goals[0]));
+        let (init, goal) = (Self::state(&self.states[0]), Self::conjunction(&self.goals[0]));
         text + &format!(")\n (:init {init})\n (:goal {goal}))")
     }
 
@@ -262,7 +263,7 @@ impl World {
             for objects in self.tuples(&action.parameters) {
                 let mut name = format!("(a{number}");
                 for &object in &objects {
-                    name += &format!(" {}", self.object(object));
+                    name += &format!(" {}", Self::object(object));
                 }
                 instances.push((name + ")", number, objects));
             }
@@ -337,7 +338,7 @@ fn ground_terms(literal: &Literal, objects: &[usize]) -> Vec<usize> {
 /// Every fact means what its name says, and every condition what it says.
 fn check_state(world: &World, grounded: &Grounded, state: &Atoms, packed: &State) {
     let task = &grounded.task;
-    let atoms: BTreeSet<String> = state.iter().map(|atom| world.atom(atom)).collect();
+    let atoms: BTreeSet<String> = state.iter().map(World::atom).collect();
     for fact in task.facts() {
         let name = task.fact_name(fact);
         if grounded.never == Some(fact) {
@@ -355,7 +356,7 @@ fn check_state(world: &World, grounded: &Grounded, state: &Atoms, packed: &State
     for (literals, facts) in world.goals.iter().zip(meanings) {
         let holds = World::satisfies(state, literals, &[]);
         let found = facts.as_ref().is_some_and(|facts| task.satisfies(packed.words(), facts));
-        assert_eq!(found, holds, "{}", world.conjunction(literals));
+        assert_eq!(found, holds, "{}", World::conjunction(literals));
     }
     assert_eq!(
         task.satisfies(packed.words(), task.goal()),
@@ -378,8 +379,8 @@ fn check(world: &World, seen: &mut Seen) {
     let domain = read_domain(&world.domain()).unwrap();
     let task = read_task(&domain, &world.task()).unwrap();
     let condition =
-        |goal: &Vec<Literal>| read_condition(&domain, &task, &world.conjunction(goal)).unwrap();
-    let state = |state: &Atoms| read_state(&domain, &task, &world.state(state)).unwrap();
+        |goal: &Vec<Literal>| read_condition(&domain, &task, &World::conjunction(goal)).unwrap();
+    let state = |state: &Atoms| read_state(&domain, &task, &World::state(state)).unwrap();
     let more = More {
         states: world.states[1..].iter().map(state).collect(),
         conditions: world.goals[1..].iter().map(condition).collect(),
@@ -429,7 +430,7 @@ fn check(world: &World, seen: &mut Seen) {
             .map(|&id| ground_task.action_name(ground_task.operator(id).action))
             .collect();
         let expected: BTreeSet<&str> = successors.keys().map(String::as_str).collect();
-        assert_eq!(names, expected, "in {}", world.state(&state));
+        assert_eq!(names, expected, "in {}", World::state(&state));
         for &id in &found {
             let next = &successors[ground_task.action_name(ground_task.operator(id).action)];
             let mut words = here.words().to_vec();
@@ -455,7 +456,6 @@ fn check(world: &World, seen: &mut Seen) {
 fn grounding_agrees_with_trying_everything() {
     let mut dice = Dice::new(11);
     let mut seen = Seen::default();
-    const WORLDS: usize = 3000;
     for number in 0..WORLDS {
         let world = World::draw(&mut dice);
         let told = format!("world {number}:\n{}\n{}\n", world.domain(), world.task());

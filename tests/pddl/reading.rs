@@ -488,6 +488,7 @@ fn a_timed_literal_is_named_where_at_is_no_predicate() {
 
 #[test]
 fn deep_and_large_texts() {
+    const SIZE: usize = 32 << 20;
     let deep = "(".repeat(100_000);
     assert!(domain_error(&deep).contains("nested more than 64 deep"));
     let deep = format!("{}{}", "(and ".repeat(100_000), ")".repeat(100_000));
@@ -498,7 +499,6 @@ fn deep_and_large_texts() {
         "line 1, column 1: found 32 MiB of text, expected at most 32 MiB"
     );
     // As large as it may be, and nothing but symbols, lists, a long name, types, objects.
-    const SIZE: usize = 32 << 20;
     let filled = |begin: &str, piece: &str, end: &str| {
         let count = (SIZE - begin.len() - end.len()) / piece.len();
         format!("{begin}{}{end}", piece.repeat(count))
