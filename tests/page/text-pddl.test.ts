@@ -69,9 +69,9 @@ test("errors in PDDL stand under their line of the domain, the problem and the r
     await page.locator("[data-goal='light in the kitchen']").first().waitFor();
     await statusIs(page, "optimal");
     // It is one document.
-    const document = await documentOf<object>(page);
-    assert.equal(taken(JSON.stringify(document)), true);
-    assert.deepEqual(document, JSON.parse(lamps.replaceAll(/(dark|lit|objects) kitchen/g, "$1 cellar")));
+    const opened = await documentOf<object>(page);
+    assert.equal(taken(JSON.stringify(opened)), true);
+    assert.deepEqual(opened, JSON.parse(lamps.replaceAll(/(dark|lit|objects) kitchen/g, "$1 cellar")));
   }));
 
 test("going between JSON and PDDL loses nothing, right or wrong", () =>

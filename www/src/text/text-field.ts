@@ -106,7 +106,12 @@ export class TextField {
         colours,
         this.wrapping.of(wraps(text) ? EditorView.lineWrapping : []),
         keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
-        EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", autocapitalize: "off" }),
+        EditorView.contentAttributes.of({
+          "aria-label": label,
+          tabindex: "0",
+          spellcheck: "false",
+          autocapitalize: "off",
+        }),
         insertLines,
         selectAll(() => this.view),
         EditorView.domEventHandlers({
