@@ -9,18 +9,25 @@ use common::{Dice, Judge, Wish};
 #[allow(dead_code, unused_imports, unreachable_pub, missing_docs, missing_debug_implementations)]
 mod common;
 
-/// The plan that prospects end with, and none where they say that there is none.
-fn ask(judge: &Judge, wish: &Wish, best: bool) -> Option<Option<Plan>> {
+/// What prospects end with: a plan, or that there is none. None where they are not for the problem.
+fn ask(judge: &Judge, wish: &Wish, best: bool) -> Option<Verdict> {
     let solver = if best { Solver::Exact } else { Solver::Search };
     let options = Judge::options(solver, None, wish);
     let mut prospects = Prospects::new(&judge.problem, &options, best).unwrap()?;
     loop {
         match prospects.advance(3).unwrap() {
             Verdict::Working => {}
-            Verdict::Plan(plan) => return Some(Some(plan)),
-            Verdict::Infeasible => return Some(None),
             Verdict::Unknown => panic!("nothing is that large"),
+            end => return Some(end),
         }
+    }
+}
+
+/// The plan of a verdict that proves one, or proves that there is none.
+fn plan(verdict: Verdict) -> Option<Plan> {
+    match verdict {
+        Verdict::Plan(plan) => Some(plan),
+        _ => None,
     }
 }
 
@@ -28,6 +35,7 @@ fn agrees(judge: &Judge, wish: &Wish) -> bool {
     let (Some(best), Some(some)) = (ask(judge, wish, true), ask(judge, wish, false)) else {
         return false;
     };
+    let (best, some) = (plan(best), plan(some));
     let table = &judge.table;
     let difference = |ending: &common::oracle::Ending| {
         let (adversarial, cooperative) = table.counts(ending);
