@@ -88,7 +88,7 @@ const claims: Record<string, () => void> = {
   },
   "box-pushing": () => {
     assert.deepEqual(planned("box-pushing", "Straight up"), { moves: 4, difference: 0, valid: true });
-    assert.deepEqual(planned("box-pushing", "A way about"), { moves: 11, difference: 1, valid: true });
+    assert.deepEqual(planned("box-pushing", "A roundabout way"), { moves: 11, difference: 1, valid: true });
     const { trace } = solve(documentOf("box-pushing"), { solver: "exact" });
     assert.equal(trace.steps.at(-1)?.goals.adversarial.length, 3);
   },

@@ -1,7 +1,9 @@
 // The further domains: being the agent, being the enemy.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { openTab, press, stepIs } from "./support/playground.js";
+import { visit } from "./support/browser.js";
+import { openTab, press, statusIs, stepIs } from "./support/playground.js";
 import { board, drop, open, switches } from "./support/views.js";
 
 test("walking: the keys push the box, and one of many actions is found by its words", () =>
@@ -41,4 +43,16 @@ test("guessing: nothing on the page shows what the enemy is not told", () =>
     assert.equal(await board(page, "cooperative").count(), 0);
     assert.equal(await page.locator("[data-true-goal]").count(), 0);
     await board(page, "adversarial").waitFor();
+  }));
+
+test("a problem that is too large to be solved at once can be guessed at", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await drop(page, readFileSync(new URL("../../examples/logistics.json", import.meta.url), "utf8"));
+    await board(page, "actor").locator(".thing-box.package").nth(5).waitFor();
+    await press(page, "Cancel");
+    await openTab(page, "Play");
+    await press(page, "Start guessing");
+    await page.getByText("Which goal is it after?").waitFor();
+    assert.equal(await page.locator("[data-true-goal]").count(), 0);
   }));

@@ -142,10 +142,10 @@ export const entries: readonly Entry[] = [
     name: "box-pushing",
     title: "Pushing a box",
     about:
-      "A robot pushes a box, and the enemy tells turns from moves: in 4 actions it knows the goal, in 11 by a way about it knows nothing.",
+      "A robot pushes a box, and the enemy tells turns from moves: in 4 actions it knows the goal, in 11 by a roundabout way it knows nothing.",
     plans: [
       { title: "Straight up", plan: ["move-forward", "turn-left", "move-forward", "move-forward"] },
-      { title: "A way about" },
+      { title: "A roundabout way" },
     ],
   },
   {

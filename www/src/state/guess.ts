@@ -2,8 +2,11 @@
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { BeliefSummary, Scene, Trace, TraceStep } from "../core.js";
 import { written } from "../problem/text.js";
-import { SolverClient } from "../worker/client.js";
+import { type Ending, SolverClient } from "../worker/client.js";
 import type { Playground } from "./playground.js";
+
+/** Nobody waits longer for the other player. */
+const PATIENCE_MS = 5000;
 
 export type Round =
   | { kind: "none" }
@@ -37,7 +40,7 @@ export class Guess {
     while (goals.length > 0) {
       const [goal = ""] = goals.splice(drawn(goals.length), 1);
       const secret = written({ ...open.value, true_goal: goal } as typeof open.value);
-      const ending = await this.hider.run({ kind: "solve", document: secret, options: { solver: "exact" } });
+      const ending = await this.way(secret);
       if (ending.kind === "stale" || this.round.value.kind !== "hiding") return;
       // A goal that can't be reached is not worth a guess.
       if (ending.kind !== "solved" || ending.outcome.plan === null) continue;
@@ -45,6 +48,20 @@ export class Guess {
       return;
     }
     this.round.value = { kind: "impossible" };
+  }
+
+  /** The best way, or a good one where the best takes too long to wait for. */
+  private async way(document: string): Promise<Ending> {
+    const best = await this.patiently(document, "exact");
+    if (best.kind !== "solved" || best.outcome.plan !== null || best.outcome.status !== "limit") return best;
+    return this.patiently(document, "search");
+  }
+
+  private async patiently(document: string, solver: "exact" | "search"): Promise<Ending> {
+    const timer = setTimeout(() => this.hider.cancel(), PATIENCE_MS);
+    const ending = await this.hider.run({ kind: "solve", document, options: { solver } });
+    clearTimeout(timer);
+    return ending;
   }
 
   /** Says which goal the agent is after. */

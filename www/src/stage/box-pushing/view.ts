@@ -55,7 +55,7 @@ function board(name: BoardName, input: BoardInput<BoxScene>, playground: Playgro
     below: {
       height: 0.75 * scale,
       drawn: svg`<g transform="scale(${scale})"><text class="below" x="0.08" y="0.52">${name === "actor" ? "looks" : "may look"}</text>
-        ${rose(facings, [1.65, 0.41], 0.62)}</g>`,
+        ${rose(facings, [2.05, 0.41], 0.62)}</g>`,
     },
   });
 }
