@@ -1,6 +1,7 @@
 //! `mo-copp plan`: the baseline on plain PDDL.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use serde_json::json;
 
@@ -13,8 +14,11 @@ const DOMAIN: &str = "(define (domain lamps) (:predicates (near ?x) (lit ?x))
 const TASK: &str = "(define (problem two) (:domain lamps) (:objects A b)
   (:init (near a)) (:goal (and (lit b) (near b))))";
 
+/// Tests run at the same time: each text gets a folder of its own.
 fn file(name: &str, text: &str) -> String {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("plan");
+    static FILES: AtomicUsize = AtomicUsize::new(0);
+    let number = FILES.fetch_add(1, Ordering::Relaxed).to_string();
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("plan").join(number);
     std::fs::create_dir_all(&folder).unwrap();
     let path = folder.join(name);
     std::fs::write(&path, text).unwrap();
@@ -46,7 +50,8 @@ fn one_object() {
     let stats = &answer["stats"];
     assert_eq!((&stats["facts"], &stats["operators"]), (&json!(4), &json!(6)));
     assert!(stats["expansions"].as_u64() >= Some(2) && stats["search_seconds"].is_f64());
-    let keys: Vec<&String> = answer.as_object().unwrap().keys().collect();
+    let mut keys: Vec<&String> = answer.as_object().unwrap().keys().collect();
+    keys.sort_unstable();
     assert_eq!(keys, ["plan", "stats", "status"]);
 }
 
