@@ -5,6 +5,7 @@ import { Marked } from "marked";
 /** @type {readonly (readonly [string, string])[]} */
 export const pages = [
   ["documents", "Problem documents"],
+  ["pddl", "PDDL"],
   ["domains", "The paper’s domains"],
   ["experiments", "Experiments"],
   ["embedding", "In your own page"],

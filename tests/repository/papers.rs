@@ -33,3 +33,17 @@ fn both_licences_are_there() {
     assert!(read("LICENSE-MIT").contains("Permission is hereby granted, free of charge"));
     assert!(read("LICENSE-APACHE").contains("Apache License"));
 }
+
+/// `npm run experiments` writes the tables; nobody edits a number by hand.
+#[test]
+fn the_tables_of_the_experiments_are_those_of_their_results() {
+    let document = read("docs/experiments.md");
+    for figure in ["fig3", "fig4"] {
+        let tables = read(format!("docs/results/{figure}/tables.md"));
+        let begin = format!("<!-- tables of {figure} -->\n\n");
+        let end = format!("\n<!-- end of tables of {figure} -->");
+        let after = document.split_once(&begin).unwrap_or_else(|| panic!("no {begin}")).1;
+        let shown = after.split_once(&end).unwrap_or_else(|| panic!("no {end}")).0;
+        assert_eq!(shown, tables, "tables of {figure}");
+    }
+}
