@@ -4,7 +4,7 @@ import { join, relative } from "node:path";
 import { inRoot } from "../lib/paths.mjs";
 import { page, pages } from "./render.mjs";
 
-const style = inRoot("scripts", "documentation", "documentation.css");
+const styles = [inRoot("www", "src", "style", "colours.css"), inRoot("scripts", "documentation", "documentation.css")];
 
 /** What the documents show or offer: pictures, tables and records. */
 const shown = /\.(svg|csv|json|jsonl)$/;
@@ -18,7 +18,7 @@ function files() {
   return [
     ...pages.map(([name]) => [`docs/${name}.html`, page(name, readFileSync(join(docs, `${name}.md`), "utf8"))]),
     ...beside.map((file) => [`docs/${relative(docs, file)}`, readFileSync(file)]),
-    ["docs/documentation.css", readFileSync(style)],
+    ["docs/documentation.css", styles.map((file) => readFileSync(file, "utf8")).join("\n")],
     ["docs/LICENSE-MIT.txt", readFileSync(inRoot("LICENSE-MIT"))],
     ["docs/LICENSE-APACHE.txt", readFileSync(inRoot("LICENSE-APACHE"))],
   ];

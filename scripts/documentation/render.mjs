@@ -69,7 +69,7 @@ export function page(name, markdown) {
     <link rel="icon" type="image/svg+xml" href="../favicon.svg" />
     <link rel="stylesheet" href="./documentation.css" />
   </head>
-  <body>
+  <body class="mo-copp-site">
     <nav aria-label="Pages">
       <ul>
         <li><a href="../index.html">Playground</a></li>
