@@ -319,7 +319,7 @@ impl Engine for Guided {
         let problem = &self.problem;
         progress.bound = Some(1.0);
         let best = match &self.stage {
-            Stage::New => None,
+            Stage::New | Stage::Prospects(_, None) => None,
             Stage::Plain(engine, best) => {
                 engine.report(progress);
                 if progress.plan.is_some() {
@@ -328,7 +328,6 @@ impl Engine for Guided {
                 best.as_ref()
             }
             Stage::Preparing(ground, _) => ground.best.as_ref(),
-            Stage::Prospects(_, None) => None,
             Stage::Passes(passes) | Stage::Prospects(_, Some(passes)) => {
                 let most = problem.goals().len() as f64 - 1.0;
                 progress.bound = passes.bound().map(|value| value as f64 / most);

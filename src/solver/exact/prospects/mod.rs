@@ -121,7 +121,9 @@ impl Prospects {
         let goals = 0..problem.goals().len();
         let others: Vec<usize> = goals.filter(|&goal| goal != problem.true_goal()).collect();
         let mut groups = hope::hopes(&others, &bounds, best);
-        groups.iter_mut().for_each(|group| group.reverse());
+        for group in &mut groups {
+            group.reverse();
+        }
         groups.reverse();
         Ok(Some(Self {
             joint,

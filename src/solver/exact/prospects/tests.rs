@@ -9,23 +9,31 @@ use common::{Dice, Judge, Wish};
 #[allow(dead_code, unused_imports, unreachable_pub, missing_docs, missing_debug_implementations)]
 mod common;
 
-/// The plan that prospects end with, and none where they say that there is none.
-fn ask(judge: &Judge, wish: &Wish, best: bool) -> Option<Option<Plan>> {
+/// What prospects say.
+enum Said {
+    Plan(Option<Plan>),
+    NotForThem,
+}
+
+fn ask(judge: &Judge, wish: &Wish, best: bool) -> Said {
     let solver = if best { Solver::Exact } else { Solver::Search };
     let options = Judge::options(solver, None, wish);
-    let mut prospects = Prospects::new(&judge.problem, &options, best).unwrap()?;
+    let Some(mut prospects) = Prospects::new(&judge.problem, &options, best).unwrap() else {
+        return Said::NotForThem;
+    };
     loop {
         match prospects.advance(3).unwrap() {
             Verdict::Working => {}
-            Verdict::Plan(plan) => return Some(Some(plan)),
-            Verdict::Infeasible => return Some(None),
+            Verdict::Plan(plan) => return Said::Plan(Some(plan)),
+            Verdict::Infeasible => return Said::Plan(None),
             Verdict::Unknown => panic!("nothing is that large"),
         }
     }
 }
 
 fn agrees(judge: &Judge, wish: &Wish) -> bool {
-    let (Some(best), Some(some)) = (ask(judge, wish, true), ask(judge, wish, false)) else {
+    let (Said::Plan(best), Said::Plan(some)) = (ask(judge, wish, true), ask(judge, wish, false))
+    else {
         return false;
     };
     let table = &judge.table;
@@ -76,5 +84,5 @@ fn what_is_not_for_them_is_left_to_others() {
     let mut dice = Dice::new(79);
     let roles = [Role::Adversarial, Role::Cooperative, Role::Cooperative];
     let judge = Judge::built(random::table(&mut dice, MEDIUM, &roles), 0);
-    assert!(ask(&judge, &Wish::default(), true).is_none());
+    assert!(matches!(ask(&judge, &Wish::default(), true), Said::NotForThem));
 }
