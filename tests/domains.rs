@@ -62,24 +62,24 @@ fn deliveries_agree_with_the_oracles() {
 fn box_pushing_agrees_with_the_oracles() {
     let mut dice = Dice::new(46);
     let mut solvable = 0;
-    for _ in 0..200 {
+    for _ in 0..30 {
         let judge = of_box(&box_pushing::random(&mut dice));
         solvable += usize::from(!judge.endings().is_empty());
         agree(&mut dice, &judge);
     }
-    assert!((60..190).contains(&solvable), "{solvable} solvable");
+    assert!((5..30).contains(&solvable), "{solvable} solvable");
 }
 
 #[test]
 fn recycling_robots_agree_with_the_oracles() {
     let mut dice = Dice::new(47);
     let mut solvable = 0;
-    for _ in 0..200 {
+    for _ in 0..30 {
         let judge = of_robot(&recycling_robot::random(&mut dice));
         solvable += usize::from(!judge.endings().is_empty());
         agree(&mut dice, &judge);
     }
-    assert!((60..190).contains(&solvable), "{solvable} solvable");
+    assert!((5..30).contains(&solvable), "{solvable} solvable");
 }
 
 #[test]

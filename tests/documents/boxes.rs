@@ -44,7 +44,10 @@ fn every_mistake_has_its_place() {
             Put("/observers/adversarial/initial_belief/1/robot", "[1, 1]"),
             "observers.adversarial.initial_belief[1].box: found [1, 1], where the robot is, expected a cell of its own",
         ),
-        (Put("/true_goal", "\"G9\""), "true_goal: found \"G9\", expected one of G1, G2"),
+        (
+            Put("/true_goal", "\"G9\""),
+            "true_goal: found \"G9\", expected the name of a candidate goal: G1, G2",
+        ),
     ];
     check(documented("box-pushing"), &table);
 }

@@ -9,33 +9,33 @@ use common::{Dice, Judge, Wish};
 #[allow(dead_code, unused_imports, unreachable_pub, missing_docs, missing_debug_implementations)]
 mod common;
 
-/// What prospects end with: a plan, or that there is none. None where they are not for the problem.
-fn ask(judge: &Judge, wish: &Wish, best: bool) -> Option<Verdict> {
+/// What prospects say.
+enum Said {
+    Plan(Option<Plan>),
+    NotForThem,
+}
+
+fn ask(judge: &Judge, wish: &Wish, best: bool) -> Said {
     let solver = if best { Solver::Exact } else { Solver::Search };
     let options = Judge::options(solver, None, wish);
-    let mut prospects = Prospects::new(&judge.problem, &options, best).unwrap()?;
+    let Some(mut prospects) = Prospects::new(&judge.problem, &options, best).unwrap() else {
+        return Said::NotForThem;
+    };
     loop {
         match prospects.advance(3).unwrap() {
             Verdict::Working => {}
+            Verdict::Plan(plan) => return Said::Plan(Some(plan)),
+            Verdict::Infeasible => return Said::Plan(None),
             Verdict::Unknown => panic!("nothing is that large"),
-            end => return Some(end),
         }
     }
 }
 
-/// The plan of a verdict that proves one, or proves that there is none.
-fn plan(verdict: Verdict) -> Option<Plan> {
-    match verdict {
-        Verdict::Plan(plan) => Some(plan),
-        _ => None,
-    }
-}
-
 fn agrees(judge: &Judge, wish: &Wish) -> bool {
-    let (Some(best), Some(some)) = (ask(judge, wish, true), ask(judge, wish, false)) else {
+    let (Said::Plan(best), Said::Plan(some)) = (ask(judge, wish, true), ask(judge, wish, false))
+    else {
         return false;
     };
-    let (best, some) = (plan(best), plan(some));
     let table = &judge.table;
     let difference = |ending: &common::oracle::Ending| {
         let (adversarial, cooperative) = table.counts(ending);
@@ -84,5 +84,5 @@ fn what_is_not_for_them_is_left_to_others() {
     let mut dice = Dice::new(79);
     let roles = [Role::Adversarial, Role::Cooperative, Role::Cooperative];
     let judge = Judge::built(random::table(&mut dice, MEDIUM, &roles), 0);
-    assert!(ask(&judge, &Wish::default(), true).is_none());
+    assert!(matches!(ask(&judge, &Wish::default(), true), Said::NotForThem));
 }
