@@ -254,9 +254,9 @@ fn states_and_scenes_have_the_shape_of_their_format() {
 
 #[wasm_bindgen_test]
 fn bad_pddl_throws_its_line_and_column() {
-    let text =
+    let document =
         include_str!("../examples/logistics.json").replace("(at p6 airport1)", "(at p7 airport1)");
-    let error = Problem::new(&text).unwrap_err();
+    let error = Problem::new(&document).unwrap_err();
     assert_eq!(text(&error, "name"), "DocumentError");
     assert_eq!(text(&error, "path"), "problem");
     assert!(text(&error, "message").starts_with("problem, line 21, column 9: found "));

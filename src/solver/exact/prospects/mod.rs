@@ -2,8 +2,8 @@
 //!
 //! The beliefs of an observer can differ in millions of ways that make no difference any more. So
 //! say beforehand which goals should survive for the enemy and which should die for the friend (a
-//! [`hope`]), keep of each belief only what matters to that ([`tables`]), and of two nodes only the
-//! better one where one is at least as good in everything ([`pass`]). In the paper's box pushing
+//! `hope`), keep of each belief only what matters to that (`tables`), and of two nodes only the
+//! better one where one is at least as good in everything (`pass`). In the paper's box pushing
 //! hundreds of nodes are left of many millions.
 //!
 //! Before both observers are looked at together, each is looked at alone: mostly it is the friend of
