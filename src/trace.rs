@@ -215,12 +215,12 @@ pub fn trace(problem: &Problem, plan: &Plan) -> Result<Trace, PlanError> {
 /// use mo_copp::{domain::Delivery, plan::Plan, trace::pass};
 /// let problem = Delivery::figure_1().problem()?;
 /// let plan = Plan::from_names(problem.task(), &["load a1", "load a2", "deliver"])?;
-/// let mut largest = 0;
+/// let mut most = 0;
 /// pass(&problem, &plan, |step| {
-///     largest = largest.max(step.beliefs[0].len());
+///     most = most.max(step.survivors[0].iter().count());
 ///     Ok(())
 /// })?;
-/// assert_eq!(largest, 6);
+/// assert_eq!(most, 6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn pass(

@@ -259,7 +259,7 @@ fn bad_pddl_throws_its_line_and_column() {
     let error = Problem::new(&document).unwrap_err();
     assert_eq!(text(&error, "name"), "DocumentError");
     assert_eq!(text(&error, "path"), "problem");
-    assert!(text(&error, "message").starts_with("problem, line 21, column 9: found "));
-    assert_eq!(get(&error, "line").as_f64(), Some(21.0));
+    assert!(text(&error, "message").starts_with("problem, line 22, column 9: found "));
+    assert_eq!(get(&error, "line").as_f64(), Some(22.0));
     assert_eq!(get(&error, "column").as_f64(), Some(9.0));
 }

@@ -81,7 +81,9 @@ fn cases() -> Vec<Value> {
     for (format, seed, horizon) in [("small box-pushing", 1, 8), ("small recycling-robot", 2, 7)] {
         let document = replay::draw(format, seed).to_json();
         let name = format!("{format} {seed}");
-        let options = options(horizon, false);
+        // Every pair of plans of every length takes more memory than wasm has.
+        let mut options = options(horizon, false);
+        options.retain(|options| options["horizon"] != "any" || options["pareto"] != true);
         cases.push(replay::case(&name, Some((format, seed)), &document, &options));
     }
     // One with a plan that the search alone does not find, and one without any.

@@ -130,7 +130,7 @@ const states: State[] = [
     "a problem in words",
     async (page) => {
       await useDocument(page, explicit);
-      await page.locator(".states").first().waitFor();
+      await page.locator(".states-board").first().waitFor();
       await statusIs(page, "optimal");
     },
   ],
