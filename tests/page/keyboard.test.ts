@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
+import { entries } from "./support/gallery.js";
 import { edit } from "./support/hands.js";
 import { attribute, statusIs, stepIs } from "./support/playground.js";
 
@@ -42,10 +43,10 @@ test("the keyboard alone does everything", () =>
       // Another problem, and back.
       await goTo(page, /^Next problem$/);
       await keys(page, "Enter");
-      await page.getByText("2 of 14").waitFor();
+      await page.getByText(`2 of ${entries.length}`).waitFor();
       await goTo(page, /^Problem before$/, "Shift+Tab");
       await keys(page, "Enter");
-      await page.getByText("1 of 14").waitFor();
+      await page.getByText(`1 of ${entries.length}`).waitFor();
       await statusIs(page, "optimal");
 
       // A named plan, and its steps.

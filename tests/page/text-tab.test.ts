@@ -177,7 +177,7 @@ test("JSON is put in order as the project writes it, where it can be read", () =
     // What the browser would read, and lose something of, stays and is shown.
     const twice = grid().replace('"width":4', '"width":4,"width":5');
     await put(page, twice);
-    await said(page, "given twice").waitFor();
+    await said(page, "for the second time").waitFor();
     await press(page, "Format");
     await textIs(page, twice);
     await put(page, "{\n}}");

@@ -21,7 +21,7 @@ test("a link brings back the problem, the step and the tab", () =>
     await board(page, "actor").locator(".place-card").first().waitFor();
     await page.locator('[role="tab"][data-tab="steps"][aria-selected="true"]').waitFor();
     const { trace } = solve(documentOf("logistics"), { solver: "exact" });
-    const states = await page.locator(".steps tbody tr td.number").allInnerTexts();
+    const states = await page.locator(".steps tbody tr td.count").allInnerTexts();
     const expected = trace.steps.flatMap(({ beliefs, goal_difference }) => [
       String(beliefs.adversarial.length),
       String(beliefs.cooperative.length),

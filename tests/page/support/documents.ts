@@ -39,6 +39,9 @@ export function endless(): string {
       { name: "near", cell: [2, 0] },
       { name: "far", cell: [size - 1, size - 1] },
       { name: "low", cell: [0, size - 2] },
+      // With more than four goals no search looks at one set of them after the other.
+      { name: "middle", cell: [15, 16] },
+      { name: "right", cell: [size - 1, 1] },
     ],
     true_goal: "near",
     observers: {
