@@ -40,8 +40,8 @@ export function endless(): string {
       { name: "far", cell: [size - 1, size - 1] },
       { name: "low", cell: [0, size - 2] },
       // With more than four goals no search looks at one set of them after the other.
-      { name: "middle", cell: [15, 16] },
-      { name: "right", cell: [size - 1, 1] },
+      { name: "far too", cell: [size - 1, size - 1] },
+      { name: "low too", cell: [0, size - 2] },
     ],
     true_goal: "near",
     observers: {
