@@ -294,7 +294,7 @@ test("a lost worker is replaced, says so, and leaves the problem as it was", () 
       await page.getByText(/states looked at/).waitFor();
       const before = await drawn(page);
       // The first is that of the boards; the field for the text has one of its own.
-    await page.evaluate("workers[0].dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
+      await page.evaluate("workers[0].dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
       await page.getByRole("alert").filter({ hasText: "stopped unexpectedly (out of luck)" }).waitFor();
       await statusIs(page, "error");
       assert.deepEqual(await drawn(page), before);

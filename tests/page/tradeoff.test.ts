@@ -52,7 +52,7 @@ test("every pair that the core reaches is a point, and choosing one shows its pl
       await page
         .getByText(`a plan that leaves ${pair.adversarial} to the enemy, ${pair.cooperative} to the friend`)
         .waitFor();
-      assert.equal(await point.getAttribute("aria-pressed"), "true");
+      await point.and(page.locator('[aria-pressed="true"]')).waitFor();
       assert.equal(await attribute(page, "data-gd"), String((pair.adversarial - pair.cooperative) / 3));
       assert.equal(await slider(page).getAttribute("max"), String(pair.plan.length));
     }
