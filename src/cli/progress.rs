@@ -66,8 +66,10 @@ pub fn watched<P: Send + 'static, T: Send + 'static>(
     let stop = Arc::new(AtomicBool::new(false));
     let on_signal = Arc::clone(&stop);
     // Without a handler Ctrl-C ends the process, which is no worse.
+    let mut insisted = Insistence::default();
     let _ = ctrlc::set_handler(move || {
-        if on_signal.swap(true, Ordering::SeqCst) {
+        on_signal.store(true, Ordering::SeqCst);
+        if insisted.again() {
             // Asked twice: whoever it is does not want to wait for the best plan.
             std::process::exit(i32::from(super::LIMIT));
         }
@@ -107,6 +109,23 @@ pub fn watched<P: Send + 'static, T: Send + 'static>(
     };
     bar.finish_and_clear();
     (done, stop)
+}
+
+/// Tells a second wish to stop from the same one heard twice: a scheduler that stops a process and
+/// its group sends it two signals at once.
+#[derive(Debug, Default)]
+pub struct Insistence {
+    first: Option<Instant>,
+}
+
+impl Insistence {
+    /// What comes sooner after the first signal belongs to it.
+    const APART: Duration = Duration::from_millis(500);
+
+    /// Hears a signal; whether it is a wish of its own after the first.
+    pub fn again(&mut self) -> bool {
+        self.first.get_or_insert_with(Instant::now).elapsed() >= Self::APART
+    }
 }
 
 /// What came of it.

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use crate::{command, mo_copp, ran};
 
 /// Runs a solver for long on a document and interrupts it.
-fn interrupted(document: &str, arguments: &[&str]) -> (crate::Ran, Duration) {
+fn interrupted(document: &str, arguments: &[&str], signals: &[&str]) -> (crate::Ran, Duration) {
     let mut child = command(arguments).spawn().unwrap();
     child.stdin.take().unwrap().write_all(document.as_bytes()).unwrap();
     // Asked again and again, so that it does not matter when the handler is set: until it is, the
@@ -19,8 +19,10 @@ fn interrupted(document: &str, arguments: &[&str]) -> (crate::Ran, Duration) {
         std::thread::yield_now();
     }
     let begin = Instant::now();
-    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-    assert!(kill.success());
+    for signal in signals {
+        let kill = Command::new("kill").args([signal, &child.id().to_string()[..]]).status();
+        assert!(kill.unwrap().success());
+    }
     (ran(child.wait_with_output().unwrap()), begin.elapsed())
 }
 
@@ -28,7 +30,7 @@ fn interrupted(document: &str, arguments: &[&str]) -> (crate::Ran, Duration) {
 fn the_exact_solver_keeps_its_best_plan() {
     let size = ["--width", "200", "--height", "200", "--goals", "12"];
     let grid = mo_copp("", &[&["generate", "gridworld", "--seed", "1"][..], &size].concat()).out;
-    let (ran, took) = interrupted(&grid, &["solve", "-", "--json"]);
+    let (ran, took) = interrupted(&grid, &["solve", "-", "--json"], &["-INT"]);
     assert_eq!(ran.json()["limit"], "stopped on request", "{}{}", ran.out, ran.err);
     let status = ran.json()["status"].as_str().unwrap().to_owned();
     assert_eq!(
@@ -43,10 +45,21 @@ fn an_integer_program_in_its_root_is_left_behind() {
     let grid = mo_copp("", &["generate", "gridworld", "--seed", "1"]).out;
     let options =
         ["solve", "-", "--json", "--solver", "ip", "--encoding", "paper", "--horizon", "14"];
-    let (ran, took) = interrupted(&grid, &options);
+    let (ran, took) = interrupted(&grid, &options, &["-INT"]);
     assert_eq!(ran.json()["limit"], "stopped on request", "{}{}", ran.out, ran.err);
     // The plan found before the root was begun.
     assert_eq!((ran.code, ran.json()["status"].as_str()), (0, Some("feasible")), "{}", ran.out);
     assert_eq!(ran.json()["horizon"], 14);
     assert!(took < Duration::from_secs(30), "{took:?}");
+}
+
+/// As schedulers do: the process and its group are told, so that it hears the same wish twice.
+#[test]
+fn two_signals_at_once_are_one_wish() {
+    let grid = mo_copp("", &["generate", "gridworld", "--seed", "1"]).out;
+    let options =
+        ["solve", "-", "--json", "--solver", "ip", "--encoding", "paper", "--horizon", "14"];
+    let (ran, _) = interrupted(&grid, &options, &["-TERM", "-TERM"]);
+    assert_eq!(ran.json()["limit"], "stopped on request", "{}{}", ran.out, ran.err);
+    assert_eq!((ran.code, ran.json()["status"].as_str()), (0, Some("feasible")), "{}", ran.out);
 }

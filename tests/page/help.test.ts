@@ -171,6 +171,7 @@ test("the keyboard alone opens the help, reads a word and goes on", () =>
       const overflow = await help(page).evaluate((dialog) => dialog.scrollWidth - dialog.clientWidth);
       assert(overflow <= 0, `${overflow} pixels too wide`);
       await page.keyboard.press("Escape");
+      await help(page).waitFor({ state: "hidden" });
       await page.keyboard.press("Home");
       await stepIs(page, 0);
     },

@@ -305,6 +305,51 @@ test("a lost worker is replaced, says so, and leaves the problem as it was", () 
     { before: withKnownWorkers },
   ));
 
+test("an undo or a redo that is lost with its worker can be done again", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      const size = page.locator("[data-board=actor] [data-cell]");
+      const shows = (cells: number) =>
+        page.waitForFunction(
+          (count) => document.querySelectorAll("[data-board=actor] [data-cell]").length === count,
+          cells,
+        );
+      await useDocument(page, grid());
+      await useDocument(page, grid({ height: 4 }));
+      await useDocument(page, grid({ height: 5 }));
+      assert.equal(await size.count(), 20);
+      /** The next task is lost with its worker. */
+      const lose = () =>
+        page.evaluate(`
+          const worker = workers[lost ?? 0];
+          const post = worker.postMessage.bind(worker);
+          worker.postMessage = (message) => {
+            if (message.kind !== "solve") return post(message);
+            window.lost = workers.length;
+            worker.dispatchEvent(new ErrorEvent("error", { message: "out of luck" }));
+          };`);
+      await page.evaluate("window.lost = undefined");
+      for (const [button, left, reached] of [
+        ["Undo", 20, 16],
+        ["Redo", 16, 20],
+      ] as const) {
+        await lose();
+        await press(page, button);
+        await page.getByRole("alert").filter({ hasText: "stopped unexpectedly (out of luck)" }).waitFor();
+        await shows(left);
+        await press(page, button);
+        await shows(reached);
+        await statusIs(page, "optimal");
+      }
+      await press(page, "Undo");
+      await shows(16);
+      await press(page, "Undo");
+      await shows(12);
+    },
+    { before: withKnownWorkers },
+  ));
+
 test("a core that can't be loaded is reported", () =>
   visit(
     async ({ page }) => {

@@ -127,7 +127,7 @@ test("each step is said once, in words, when one has come to rest", () =>
       await press(page, "Back one step");
       const { symbols, beliefs, goals } = trace.steps[15] ?? assert.fail();
       const survive = (names: string[]) =>
-        names.length === 0 ? "no goal survives" : names.length === 1 ? `goal ${names[0]} survives` : null;
+        names.length === 0 ? "no goal survives at this step" : names.length === 1 ? `goal ${names[0]} survives` : null;
       const words =
         `Step 15, east: the enemy saw ${symbols.adversarial}, ${beliefs.adversarial.length} states left, ` +
         `${survive(goals.adversarial)}; the friend saw ${symbols.cooperative}, ` +

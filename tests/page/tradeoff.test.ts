@@ -60,7 +60,7 @@ test("every pair that the core reaches is a point, and choosing one shows its pl
     const rows = page.locator(".twin").first().locator("tbody tr");
     assert.equal(await rows.count(), expected.length);
     await rows.first().getByRole("button").click();
-    assert.equal(await pairs(page).getByRole("button").first().getAttribute("aria-pressed"), "true");
+    await pairs(page).getByRole("button").first().and(page.locator('[aria-pressed="true"]')).waitFor();
     await press(page, "Back to the solver’s plan");
     await page.getByText("On the boards:").waitFor({ state: "detached" });
   }));

@@ -10,6 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use mo_copp::experiment::{Job, Told};
 
 use crate::cli::LIMIT;
+use crate::cli::progress::Insistence;
 
 /// How long solvers may take to stop after Ctrl-C before they are left behind: one step of an
 /// integer program cannot be cut. Every record is in the file the moment it is made, so nothing is
@@ -33,9 +34,13 @@ impl Watch {
         let stop = Arc::new(AtomicBool::new(false));
         let on_signal = Arc::clone(&stop);
         // Without a handler Ctrl-C ends the process, which is no worse.
+        let mut insisted = Insistence::default();
         let _ = ctrlc::set_handler(move || {
-            if on_signal.swap(true, Ordering::SeqCst) {
+            if insisted.again() {
                 std::process::exit(i32::from(LIMIT));
+            }
+            if on_signal.swap(true, Ordering::SeqCst) {
+                return;
             }
             thread::spawn(|| {
                 thread::sleep(PATIENCE);

@@ -4,6 +4,15 @@ import type { Playground } from "../state/playground.js";
 import { guessPanel } from "./guess-panel.js";
 import { walkPanel } from "./walk-panel.js";
 
+/** The button that was pressed goes away: the focus moves to where the walk is made. */
+async function takeOver(playground: Playground, { currentTarget }: Event): Promise<void> {
+  const element = (currentTarget as Element).closest("mo-copp-playground");
+  await playground.walker.start();
+  requestAnimationFrame(() =>
+    element?.querySelector<HTMLElement>(".walkable, .play.walk :is(input, button)")?.focus({ preventScroll: true }),
+  );
+}
+
 export function playPanel(playground: Playground): TemplateResult {
   const round = playground.guess.round.value.kind;
   if (playground.mode.value === "walk") return walkPanel(playground);
@@ -12,7 +21,7 @@ export function playPanel(playground: Playground): TemplateResult {
     <div>
       <h3>You are the agent</h3>
       <p>Walk yourself. See what the enemy and the friend make of every step, and how close you come to the best plan.</p>
-      <button type="button" class="primary" @click=${() => void playground.walker.start()}>Take over</button>
+      <button type="button" class="primary" @click=${(event: Event) => void takeOver(playground, event)}>Take over</button>
     </div>
     <div>
       <h3>You are the enemy</h3>

@@ -65,7 +65,7 @@ function part(role: Role, shown: TraceStep): string {
 }
 
 function survive(goals: readonly string[]): string {
-  if (goals.length === 0) return "no goal survives";
+  if (goals.length === 0) return "no goal survives at this step";
   if (goals.length === 1) return `goal ${goals[0]} survives`;
   return `goals ${goals.slice(0, -1).join(", ")} and ${goals.at(-1)} survive`;
 }

@@ -21,6 +21,9 @@ export abstract class Edits extends Session {
   /** The document before the edit under way. */
   private before: OpenDocument | null = null;
 
+  /** Puts the history back as it was while this document was on the page, should the change from it come to nothing. */
+  private kept: { document: OpenDocument | null; putBack: () => void } | null = null;
+
   /** What the next edit starts from. */
   get latest(): ProblemDocument | null {
     return (this.wanted ?? this.document.value)?.value ?? null;
@@ -78,6 +81,7 @@ export abstract class Edits extends Session {
   /** The edit is made: it can be undone. */
   commit(): void {
     if (this.before !== null && this.before.text !== (this.wanted ?? this.document.value)?.text) {
+      if (this.before === this.document.value) this.keepHistory();
       this.history.record(this.before);
     }
     this.before = null;
@@ -113,11 +117,19 @@ export abstract class Edits extends Session {
 
   protected override editRefused(): void {
     const present = this.document.value;
-    if (present !== null) this.history.forget(present);
+    if (this.kept?.document === present) this.kept?.putBack();
+    else if (present !== null) this.history.forget(present);
+    this.kept = null;
+  }
+
+  private keepHistory(): void {
+    const document = this.document.value;
+    if (this.kept?.document !== document) this.kept = { document, putBack: this.history.keep() };
   }
 
   private travel(step: (present: OpenDocument) => OpenDocument | undefined): void {
     const present = this.wanted ?? this.document.value;
+    this.keepHistory();
     const target = present === null ? undefined : step(present);
     if (target === undefined) return;
     this.before = null;

@@ -33,6 +33,15 @@ export class History<T> {
     return next;
   }
 
+  /** What there is to go back to when a change comes to nothing: calling it puts everything back. */
+  keep(): () => void {
+    const [before, after] = [this.before.value, this.after.value];
+    return () => {
+      this.before.value = before;
+      this.after.value = after;
+    };
+  }
+
   /** The edit to `present` that was recorded last came to nothing. */
   forget(present: T): void {
     if (this.before.value.at(-1) === present) this.before.value = this.before.value.slice(0, -1);
