@@ -70,7 +70,18 @@ fn visible(text: &str) -> String {
 /// Prints a text to the standard output.
 fn print(text: &str) -> Result<(), CliError> {
     let mut output = std::io::stdout().lock();
-    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+    read_or_not(output.write_all(text.as_bytes()).and_then(|()| output.flush()))
+}
+
+/// Prints an object as it is written, for what would be a very long text.
+fn print_json(report: &impl serde::Serialize) -> Result<(), CliError> {
+    let mut output = std::io::BufWriter::new(std::io::stdout().lock());
+    let written = serde_json::to_writer(&mut output, report).map_err(std::io::Error::from);
+    read_or_not(written.and_then(|()| writeln!(output)).and_then(|()| output.flush()))
+}
+
+fn read_or_not(written: std::io::Result<()>) -> Result<(), CliError> {
+    match written {
         // Whoever read our output has had enough of it; the exit code still says how it went.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         written => written.map_err(CliError::Output),

@@ -9,7 +9,7 @@ use mo_copp::trace::{Trace, trace};
 
 use super::args::TraceArgs;
 use super::error::CliError;
-use super::{NO_PLAN, input, print, visible};
+use super::{NO_PLAN, input, print, print_json, visible};
 
 /// Believed states shown in text.
 const STATES_SHOWN: usize = 6;
@@ -26,8 +26,7 @@ pub fn run(args: &TraceArgs) -> Result<u8, CliError> {
     let trace = trace(&problem, &plan)?;
     if args.json {
         let report = TraceReport::new(&problem, &trace);
-        // Only texts, numbers and lists: writing them cannot fail.
-        print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
+        print_json(&report)?;
     } else {
         print(&visible(&text(&problem, &trace)))?;
     }

@@ -1,5 +1,7 @@
 //! How states are shown: as their document names them where it does, as facts elsewhere.
 
+use std::sync::Arc;
+
 use serde::{Serialize, Serializer};
 
 use crate::task::{Fact, Task};
@@ -11,9 +13,9 @@ pub enum StateLabel {
     /// Column and row of a grid.
     Cell(u32, u32),
     /// A name.
-    Name(String),
+    Name(Arc<str>),
     /// The facts that hold.
-    Facts(Vec<String>),
+    Facts(Vec<Arc<str>>),
     /// What has a value, with it: an object in JSON.
     Parts(#[serde(serialize_with = "as_object")] Vec<(&'static str, Value)>),
 }
@@ -96,7 +98,7 @@ pub enum StateNaming {
 impl StateNaming {
     /// The label of a packed state. Constant for cells and names, linear in the facts elsewhere.
     pub(crate) fn label(&self, task: &Task, words: &[u64]) -> StateLabel {
-        let names = |fact| task.fact_name(fact).to_owned();
+        let names = |fact| task.shared_fact_name(fact);
         let first = || task.layout().group_value(words, 0).saturating_sub(1);
         match self {
             Self::Facts => StateLabel::Facts(task.facts_of(words).into_iter().map(names).collect()),

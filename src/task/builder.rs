@@ -1,5 +1,7 @@
 //! Makes a task, and checks once what the rest of the program relies on.
 
+use std::sync::Arc;
+
 use rustc_hash::FxHashMap;
 use thiserror::Error;
 
@@ -132,7 +134,7 @@ impl TaskBuilder {
         self.check_actions(&layout)?;
         let successors = SuccessorGenerator::new(&layout, &self.operators);
         Ok(Task {
-            fact_names: self.fact_names,
+            fact_names: self.fact_names.into_iter().map(Arc::from).collect(),
             layout,
             action_names: self.action_names,
             operators: self.operators,

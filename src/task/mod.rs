@@ -20,6 +20,8 @@ pub mod space;
 pub mod state;
 pub mod successors;
 
+use std::sync::Arc;
+
 pub use builder::{TaskBuilder, TaskError};
 pub use fact::Fact;
 pub use operator::{Action, Operator, OperatorId};
@@ -32,7 +34,7 @@ use successors::SuccessorGenerator;
 /// A grounded STRIPS task, checked by [`TaskBuilder`].
 #[derive(Debug, Clone)]
 pub struct Task {
-    fact_names: Vec<String>,
+    fact_names: Vec<Arc<str>>,
     layout: Layout,
     action_names: Vec<String>,
     operators: Vec<Operator>,
@@ -55,6 +57,11 @@ impl Task {
     /// The name of a fact.
     pub fn fact_name(&self, fact: Fact) -> &str {
         &self.fact_names[fact.index()]
+    }
+
+    /// The name of a fact, shared with the task: labels of millions of states repeat few names.
+    pub(crate) fn shared_fact_name(&self, fact: Fact) -> Arc<str> {
+        Arc::clone(&self.fact_names[fact.index()])
     }
 
     /// How many actions (operator names) there are; they are numbered from 0.
