@@ -5,6 +5,7 @@ use std::fmt::Write;
 use mo_copp::plan::Plan;
 use mo_copp::problem::Problem;
 use mo_copp::report::TraceReport;
+use mo_copp::task::Task;
 use mo_copp::trace::{Trace, trace};
 
 use super::args::TraceArgs;
@@ -19,9 +20,16 @@ pub fn run(args: &TraceArgs) -> Result<u8, CliError> {
     let problem = input::problem(&args.problem)?;
     let names: Vec<String> = match (&args.plan, &args.plan_file) {
         (Some(plan), _) => split(plan, ','),
-        (None, Some(file)) => split(&input::text(file)?, '\n'),
+        // Other planners write what they found about a plan as comments of PDDL.
+        (None, Some(file)) => {
+            let mut lines = split(&input::text(file)?, '\n');
+            let task = problem.task();
+            lines.retain(|line| !line.starts_with(';') || task.action_named(line).is_some());
+            lines
+        }
         (None, None) => Vec::new(),
     };
+    let names: Vec<String> = names.iter().map(|name| as_known(problem.task(), name)).collect();
     let plan = Plan::from_names(problem.task(), &names)?;
     let trace = trace(&problem, &plan)?;
     if args.json {
@@ -31,6 +39,16 @@ pub fn run(args: &TraceArgs) -> Result<u8, CliError> {
         print(&visible(&text(&problem, &trace)))?;
     }
     Ok(if trace.reaches_goal { 0 } else { NO_PLAN })
+}
+
+/// The name as the task has it: operators of PDDL may be given in capitals, with more blanks and
+/// without parentheses.
+fn as_known(task: &Task, name: &str) -> String {
+    let bare = name.trim_matches(['(', ')']).to_lowercase();
+    let words: Vec<&str> = bare.split_whitespace().collect();
+    let in_pddl = format!("({})", words.join(" "));
+    let is_known = |name: &str| task.action_named(name).is_some();
+    if !is_known(name) && is_known(&in_pddl) { in_pddl } else { name.to_owned() }
 }
 
 fn split(text: &str, between: char) -> Vec<String> {

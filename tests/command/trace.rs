@@ -68,3 +68,23 @@ fn an_empty_plan_is_the_start() {
     let ran = mo_copp(EXPLICIT, &["trace", "-", "--plan", "", "--json"]);
     assert_eq!(ran.json()["steps"].as_array().unwrap().len(), 1);
 }
+
+#[test]
+fn operators_of_pddl_are_read_as_other_planners_write_them() {
+    let blocks = mo_copp("", &["generate", "blocksworld", "--seed", "1"]).out;
+    let expected = mo_copp(&blocks, &["trace", "-", "--plan", "(pick-up a),(stack a e)", "--json"]);
+    assert_eq!(expected.json()["steps"][2]["action"], "(stack a e)", "{}", expected.err);
+    for plan in ["(PICK-UP A),( stack  a e )", "pick-up a,Stack a E"] {
+        let ran = mo_copp(&blocks, &["trace", "-", "--plan", plan, "--json"]);
+        assert_eq!((ran.code, ran.out), (expected.code, expected.out.clone()), "{plan}");
+    }
+    let path = std::env::temp_dir().join(format!("mo-copp-pddl-plan-{}", std::process::id()));
+    std::fs::write(&path, "(pick-up a)\r\n\r\n(STACK A E)\r\n; cost = 2 (unit cost)\n").unwrap();
+    let file = path.to_str().unwrap();
+    let ran = mo_copp(&blocks, &["trace", "-", "--plan-file", file, "--json"]);
+    std::fs::remove_file(&path).unwrap();
+    assert_eq!((ran.code, ran.out), (expected.code, expected.out), "{}", ran.err);
+    let ran = mo_copp(&blocks, &["trace", "-", "--plan", "(pick-up z)", "--json"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("(pick-up z)"), "{}", ran.err);
+}

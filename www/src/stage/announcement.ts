@@ -11,6 +11,9 @@ import { stateCount } from "./belief-size.js";
 /** A key held down, or an edit that is solved again and again, is one change and not many. */
 const QUIET_MS = 250;
 
+/** So many steps a second can be said while they are played. */
+const SAID_A_SECOND = 1.5;
+
 /** Says where one has come to, once one has come to rest. */
 export class Announcer {
   readonly said: ReadonlySignal<string>;
@@ -47,8 +50,9 @@ export function announcement(announcer: Announcer): TemplateResult {
 
 function sentence({ timeline, mode }: Playground): string {
   const shown = timeline.shown.value;
-  // Playing would be a stream of words: only the step it stops at is said.
-  if (shown === null || timeline.playing.value) return "";
+  if (shown === null) return "";
+  // Faster than this nobody could say the steps: then only the one where it stops is said.
+  if (timeline.playing.value && timeline.speed.value > SAID_A_SECOND) return "";
   const where = `Step ${timeline.step.value}${shown.action === null || mode.value === "guess" ? "" : `, ${actionText(shown.action)}`}`;
   if (mode.value === "guess") return `${where}: ${part("adversarial", shown)}.`;
   return `${where}: ${part("adversarial", shown)}; ${part("cooperative", shown)}.`;
