@@ -40,11 +40,16 @@ const marked = new Marked({
   },
   hooks: {
     // A wide table or program scrolls by itself, with the keyboard too.
-    postprocess: (html) =>
-      html
-        .replaceAll("<table>", '<div class="wide" role="region" aria-label="Table" tabindex="0"><table>')
+    postprocess: (html) => {
+      let tables = 0;
+      return html
+        .replaceAll("<table>", () => {
+          tables += 1;
+          return `<div class="wide" role="region" aria-label="Table ${tables}" tabindex="0"><table>`;
+        })
         .replaceAll("</table>", "</table></div>")
-        .replaceAll("<pre>", '<pre tabindex="0">'),
+        .replaceAll("<pre>", '<pre tabindex="0">');
+    },
   },
 });
 
