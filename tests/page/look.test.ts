@@ -71,6 +71,38 @@ test("the keyboard alone steps and solves, and shows where it is", () =>
     await statusIs(page, "infeasible");
   }));
 
+for (const height of [568, 640, 720])
+  test(`what the keyboard comes to is not behind the bar of the steps, ${height} pixels high`, () =>
+    visit(
+      async ({ page }) => {
+        await statusIs(page, "optimal");
+        const seen = new Set<string>();
+        for (let count = 0; count < 60; count += 1) {
+          await page.keyboard.press("Tab");
+          const [name, hidden] = await page.evaluate(() => {
+            const { activeElement } = document;
+            const bar = document.querySelector(".stepper");
+            if (activeElement === null || bar === null || bar.contains(activeElement))
+              return ["the bar", false] as const;
+            const at = activeElement.getBoundingClientRect();
+            const above = document.elementFromPoint(
+              at.x + at.width / 2,
+              Math.min(at.y + at.height / 2, innerHeight - 1),
+            );
+            const covered = bar.contains(above);
+            return [
+              `${activeElement.textContent?.trim() || activeElement.getAttribute("aria-label")}`,
+              covered,
+            ] as const;
+          });
+          assert.equal(hidden, false, name);
+          seen.add(name);
+        }
+        assert(seen.has("Goal difference"), "the boards were come by");
+      },
+      { viewport: { width: 320, height } },
+    ));
+
 test("nothing moves by itself for those who asked for less motion", () =>
   visit(
     async ({ page }) => {

@@ -5,7 +5,17 @@ import type { Page } from "playwright-core";
 import { visit } from "./support/browser.js";
 import { example, replay, solve } from "./support/core.js";
 import { figure1, grid } from "./support/documents.js";
-import { assertDrawn, attribute, drawn, openTab, press, statusIs, stepIs, useDocument } from "./support/playground.js";
+import {
+  assertDrawn,
+  attribute,
+  drawn,
+  openTab,
+  press,
+  slider,
+  statusIs,
+  stepIs,
+  useDocument,
+} from "./support/playground.js";
 
 const arrows: Record<string, string> = {
   north: "ArrowUp",
@@ -127,9 +137,14 @@ test("as the enemy one sees the enemy's board alone, guesses, and is told", () =
     assert.equal(await attribute(page, "data-gd"), null);
     for (let step = 0; step < 3; step += 1) {
       assert.equal(await page.locator("[data-true-goal], .stage .star, .goals .star").count(), 0);
+      // Nothing is said of the friend, and not how long the way is before it is walked.
+      assert.equal(await page.locator("[data-cooperative]").count(), 0);
+      assert.equal(await page.locator('[data-board="adversarial"] title', { hasText: /friend|both|only/ }).count(), 0);
       assert.equal(await page.locator('[data-board="actor"], [data-board="cooperative"]').count(), 0);
       assert.equal(await page.locator(".panel.cooperative .symbols, .panel.actor .symbols").count(), 0);
       assert.equal(await page.locator(".panel.adversarial .symbols li").count(), step);
+      assert.equal(await page.locator(".stepper .count").innerText(), `Step ${step}`);
+      assert.equal(await slider(page).getAttribute("max"), String(step));
       await press(page, "Forward one step");
       await stepIs(page, step + 1);
     }

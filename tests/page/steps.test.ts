@@ -45,12 +45,19 @@ test("the row of the step shown is marked and in sight, and a row chosen is show
       await openTab(page, "Steps");
       const inSight = async (step: number) => {
         const row = region(page).locator('tr[aria-current="step"]');
+        const number = row.locator("th").getByText(String(step), { exact: true });
+        await number.waitFor();
         assert.equal(await row.count(), 1);
-        assert.equal(await row.locator("th").textContent(), String(step));
-        const box = (await row.boundingBox()) ?? assert.fail();
-        const frame = (await region(page).boundingBox()) ?? assert.fail();
-        const head = (await region(page).locator("thead").boundingBox()) ?? assert.fail();
-        assert(box.y >= head.y + head.height - 1 && box.y + box.height <= frame.y + frame.height + 1, `step ${step}`);
+        // The table follows in the frame after the step.
+        await page.waitForFunction(
+          (shown) => {
+            const box = shown?.getBoundingClientRect();
+            const frame = shown?.closest("[role=region]")?.getBoundingClientRect();
+            const head = shown?.closest("table")?.tHead?.getBoundingClientRect();
+            return box && frame && head && box.top >= head.bottom - 1 && box.bottom <= frame.bottom + 1;
+          },
+          await row.elementHandle(),
+        );
       };
       await inSight(16);
       for (const step of [0, 9, 15]) {

@@ -60,7 +60,14 @@ export function boardPointer(board: BoardName, playground: Playground): BoardPoi
     up(event) {
       if (event.pointerId !== holding?.pointer) return;
       holding = null;
+      const drag = editing.drag.value;
       finish(playground);
+      // A goal that was pressed and not carried anywhere was chosen.
+      if (drag?.kind === "carry" && drag.piece.kind === "goal" && drag.document === drag.base) {
+        const goal = drag.base.goals[drag.piece.index];
+        if (goal !== undefined && !(event.currentTarget as Element).hasPointerCapture(event.pointerId))
+          playground.story.choose(goal.name);
+      }
     },
     lost(event) {
       if (event.pointerId !== holding?.pointer) return;

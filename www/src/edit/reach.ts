@@ -1,10 +1,12 @@
 // From a point on the screen to a cell of a board, and to the piece that a hand which aims there means.
 
-import { inside } from "../problem/cells.js";
+import { inside, sameCell } from "../problem/cells.js";
 import { wallsOf } from "../problem/grid-cells.js";
 import { things } from "../problem/pose-cells.js";
 import type { Cell, FloorDocument } from "../problem/types.js";
 import type { BoardName } from "../stage/board-input.js";
+import { goalNear, RING } from "../stage/grid/goal-place.js";
+import { enlarged } from "../stage/grid/marks.js";
 import type { Piece } from "./drag.js";
 import { pieceAt } from "./tools.js";
 
@@ -12,6 +14,9 @@ import { pieceAt } from "./tools.js";
 const REACH = 12;
 /** A finger covers more. */
 const TOUCH_REACH = 18;
+
+/** So much of a cell's middle belongs to its goals; what is farther out, to the start's ring. */
+const RING_WIDTH = 0.08;
 
 interface Point {
   /** In cells, with fractions. */
@@ -42,7 +47,7 @@ export interface Grasp {
 export function grasped(document: FloorDocument, board: BoardName, point: Point, touch: boolean): Grasp | null {
   const reach = (touch ? TOUCH_REACH : REACH) / point.scale;
   const cell = cellAt(point);
-  const here = inside(document, cell) ? pieceAt(document, board, cell) : null;
+  const here = inside(document, cell) ? pieceUnder(document, board, cell, point) : null;
   if (here !== null && here.kind !== "wall") return { piece: here, cell };
   const marked = nearest([...standing(document), ...document.goals.map((goal) => goal.cell)], point, reach);
   if (marked !== null) return grasp(document, board, marked);
@@ -50,6 +55,17 @@ export function grasped(document: FloorDocument, board: BoardName, point: Point,
   if (board !== "actor") return null;
   const wall = nearest(wallsOf(document), point, REACH / point.scale);
   return wall === null ? null : grasp(document, board, wall);
+}
+
+/** Of what shares a cell, the goal whose mark is nearest; the start is the ring around them. */
+function pieceUnder(document: FloorDocument, board: BoardName, cell: Cell, { column, row }: Point): Piece | null {
+  const scale = enlarged(document);
+  const cells = document.goals.map((goal) => goal.cell);
+  const index = goalNear(cells, cell, { x: column, y: row }, scale);
+  if (index < 0) return pieceAt(document, board, cell);
+  const onRing = Math.hypot(column - cell[0] - 0.5, row - cell[1] - 0.5) > RING - RING_WIDTH;
+  if (onRing && document.format === "gridworld" && sameCell(document.start, cell)) return { kind: "start" };
+  return { kind: "goal", index };
 }
 
 const standing = (document: FloorDocument): Cell[] =>

@@ -12,12 +12,13 @@ export class Notifier {
 
   /** Tells what has changed since the last time. */
   notify(): void {
-    const { timeline, result } = this.playground;
+    const { timeline, result, mode } = this.playground;
     const shown = timeline.shown.value;
     if (shown !== null) {
       const detail = {
         step: timeline.step.value,
-        steps: timeline.lastStep.value,
+        // Not how long the way is that somebody guesses about.
+        steps: (mode.value === "guess" ? timeline.seen : timeline.lastStep).value,
         action: shown.action,
         symbols: shown.symbols,
         goals: shown.goals,

@@ -22,6 +22,7 @@ import { cross } from "../view/icons.js";
 import { workbench } from "../workbench/workbench.js";
 import { SolverClient } from "../worker/client.js";
 import { Notifier } from "./events.js";
+import { keepInSight } from "./in-sight.js";
 import { PageKeys } from "./page-keys.js";
 import { goToStep, hiddenParts, type Part, settingNames, settingsOf, settle } from "./settings.js";
 import { SignalElement } from "./signal-element.js";
@@ -46,6 +47,7 @@ export class MoCoppPlayground extends SignalElement {
   private readonly notifier = new Notifier(this.playground, this);
   /** Whether the page's address is this playground's. */
   private sharing = false;
+  private readonly seen = keepInSight(this);
   private begun = false;
   private following = false;
 
@@ -63,11 +65,13 @@ export class MoCoppPlayground extends SignalElement {
     this.keys.listen();
     this.sizes.observe(this);
     document.addEventListener("keydown", this.shortcuts);
+    this.addEventListener("focusin", this.seen);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     document.removeEventListener("keydown", this.shortcuts);
+    this.removeEventListener("focusin", this.seen);
     this.sizes.disconnect();
     this.address.release();
     this.drops.release();

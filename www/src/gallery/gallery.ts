@@ -12,11 +12,7 @@ export class Gallery {
   readonly menuOpen = signal(false);
 
   /** The entry that is open, as it is in the gallery; null for any other problem. */
-  readonly current: ReadonlySignal<Entry | null> = computed(() => {
-    const value = this.playground.document.value?.value;
-    if (value === undefined) return null;
-    return entries.find((entry) => this.versions(entry).some((version) => sameProblem(version, value))) ?? null;
-  });
+  readonly current: ReadonlySignal<Entry | null> = computed(() => this.entryOf(this.playground.document.value));
 
   private loading: Promise<void> | undefined;
 
@@ -50,7 +46,8 @@ export class Gallery {
 
   /** Opens the next problem of the gallery, or the one before: `way` is 1 or −1. */
   turn(way: number): Promise<boolean> {
-    const { value } = this.current;
+    // What was edited is a neighbour of the others still.
+    const value = this.current.value ?? this.entryOf(this.playground.origin.value);
     const at = value === null ? -1 : entries.indexOf(value);
     const from = at === -1 && way < 0 ? 0 : at;
     return this.open(entries[(from + way + entries.length) % entries.length]?.name ?? "");
@@ -88,6 +85,12 @@ export class Gallery {
   private showBest(): void {
     if (this.isBest()) this.playground.showResult();
     else this.playground.edit({ solver: "exact", k: "", j: "", horizon: "" });
+  }
+
+  private entryOf(document: OpenDocument | null): Entry | null {
+    if (document === null) return null;
+    const { value } = document;
+    return entries.find((entry) => this.versions(entry).some((version) => sameProblem(version, value))) ?? null;
   }
 
   /** The document of an entry, and what its named plans make of it. */

@@ -10,21 +10,26 @@ export function goalDifference(playground: Playground): TemplateResult | "" {
   const { shown, step, lastStep } = playground.timeline;
   if (scene === null || shown.value === null) return "";
   const { adversarial, cooperative } = shown.value.goals;
-  const value = shortNumber(shown.value.goal_difference);
+  const walking = playground.mode.value === "walk";
+  // Without a plan the goals at the start make no difference of a plan.
+  const value = isImpossible(playground) && !walking ? "none" : shortNumber(shown.value.goal_difference);
   const final = playground.difference.value;
   const atEnd = step.value === lastStep.value;
-  const walking = playground.mode.value === "walk";
   const waiting = playground.status.value === "solving" ? "Looking for a plan." : "No plan yet.";
   // That there can be no plan is said beside it.
   const lacking = walking ? "You are not at the true goal." : isImpossible(playground) ? "" : waiting;
   const now = final === null ? lacking : atEnd ? "The plan ends here." : `At the end: ${shortNumber(final)}.`;
   return html`<div class="difference">
     <p class="value"><span>${glossaryLink("goal-difference", "Goal difference")}</span> <b>${value}</b></p>
-    <p class="parts" title="goals possible for the enemy minus goals possible for the friend, over the number of goals minus one">
+    ${
+      value === "none"
+        ? nothing
+        : html`<p class="parts" title="goals possible for the enemy minus goals possible for the friend, over the number of goals minus one">
       <span class="bracket">(<b class="enemy">${adversarial.length}</b> for the enemy −
         <b class="friend">${cooperative.length}</b> for the friend)</span>
       <span class="bracket">÷ (${scene.goals.length} − 1)</span>
-    </p>
+    </p>`
+    }
     <div class="after">${now === "" ? nothing : html`<p class="final">${now}</p>`} ${
       // Of the problem that is open, not of the goal that was drawn.
       playground.guess.round.value.kind === "none" ? bestPossible(playground) : nothing

@@ -3,6 +3,7 @@ import { html, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import type { Playground } from "../state/playground.js";
 import { starPath } from "../view/icons.js";
 import { isDelivery } from "./delivery/facts.js";
+import { shelfPackage } from "./delivery/package.js";
 import { isGrid } from "./grid/cells.js";
 import { viewOf } from "./lazy-views.js";
 
@@ -17,17 +18,35 @@ const strike = svg`<line class="strike" x1="0.08" y1="0.82" x2="0.92" y2="0.18">
 /** Only boards that are drawn need one. */
 export function legend(playground: Playground): TemplateResult | "" {
   const scene = playground.scene.value;
-  if (scene === null || isDelivery(scene)) return "";
+  if (scene === null) return "";
+  if (isDelivery(scene)) return deliverySigns;
   return isGrid(scene) ? signs : (viewOf(scene)?.legend?.() ?? "");
 }
 
+const enemysMark = svg`<path class="mark enemy on" d="M0.5 0.12l0.38 0.38l-0.38 0.38l-0.38-0.38z"></path>`;
+const friendsMark = svg`<circle class="mark friend on" cx="0.5" cy="0.5" r="0.34"></circle>`;
+const trueGoal = svg`<path class="star" transform="translate(0.5 0.54) scale(0.48)" d=${starPath}></path>`;
+
 const signs: TemplateResult = html`<ul class="legend" aria-label="What the signs mean">
   ${sample(svg`<circle class="here" cx="0.5" cy="0.5" r="0.32"></circle>`, "agent")}
-  ${sample(svg`<path class="star" transform="translate(0.5 0.54) scale(0.48)" d=${starPath}></path>`, "true goal")}
+  ${sample(trueGoal, "true goal")}
   ${sample(svg`<circle class="start" cx="0.5" cy="0.5" r="0.3"></circle>`, "start")}
   ${sample(tile, "the agent may be here")}
   ${sample(svg`<circle class="hidden-here" cx="0.5" cy="0.5" r="0.4"></circle>`, "where it really is")}
-  ${sample(svg`<path class="mark enemy on" d="M0.5 0.12l0.38 0.38l-0.38 0.38l-0.38-0.38z"></path>`, "goal possible for the enemy")}
-  ${sample(svg`<circle class="mark friend on" cx="0.5" cy="0.5" r="0.34"></circle>`, "goal possible for the friend")}
+  ${sample(enemysMark, "goal possible for the enemy")}
+  ${sample(friendsMark, "goal possible for the friend")}
+  ${sample(svg`<g class="goal dead">${badge}${strike}</g>`, "goal ruled out")}
+</ul>`;
+
+const parcel = (share: number) =>
+  svg`<g transform="translate(0.07 0.07) scale(0.86)">${shelfPackage("", { x: 0, y: 0 }, share, false)}</g>`;
+
+const deliverySigns: TemplateResult = html`<ul class="legend" aria-label="What the signs mean">
+  ${sample(parcel(0), "package at its factory")}
+  ${sample(parcel(1), "surely in the truck")}
+  ${sample(parcel(0.5), "perhaps in the truck")}
+  ${sample(trueGoal, "true goal")}
+  ${sample(enemysMark, "goal possible for the enemy")}
+  ${sample(friendsMark, "goal possible for the friend")}
   ${sample(svg`<g class="goal dead">${badge}${strike}</g>`, "goal ruled out")}
 </ul>`;

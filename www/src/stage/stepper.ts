@@ -6,9 +6,11 @@ import { back, first, forward, last, pause, play } from "../view/icons.js";
 
 const speedNames: Record<Speed, string> = { 0.75: "½×", 1.5: "1×", 3: "2×", 6: "4×" };
 
-export function stepper({ timeline }: Playground): TemplateResult {
+export function stepper({ timeline, mode }: Playground): TemplateResult {
   const step = timeline.step.value;
   const end = timeline.lastStep.value;
+  // How long the way is could tell which goal it leads to: who guesses learns it by walking it.
+  const known = mode.value === "guess" ? timeline.seen.value : end;
   const playing = timeline.playing.value;
   // Not `disabled`: a button that has the focus when its end is reached would lose it, and the keys with it.
   const button = (label: string, sign: TemplateResult, atEnd: boolean, action: () => void, kind = "") =>
@@ -26,8 +28,8 @@ export function stepper({ timeline }: Playground): TemplateResult {
       ${button("Last step", last, step === end, () => timeline.goTo(end), "jump")}
     </div>
     <label class="scrub">
-      <span class="count"><span class="count-word">Step</span> <b>${step}</b><span class="of"> of </span>${end}</span>
-      <input type="range" min="0" max=${end} step="1" .value=${String(step)} ?disabled=${end === 0}
+      <span class="count"><span class="count-word">Step</span> <b>${step}</b>${known < end ? "" : html`<span class="of"> of </span>${end}`}</span>
+      <input type="range" min="0" max=${known} step="1" .value=${String(step)} ?disabled=${known === 0}
         @input=${(event: InputEvent) => timeline.goTo(Number((event.target as HTMLInputElement).value))} />
     </label>
     <label class="speed">

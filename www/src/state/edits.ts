@@ -15,7 +15,7 @@ export abstract class Edits extends Session {
   });
 
   /** The document as it was opened, before any edit. */
-  private readonly origin = signal<OpenDocument | null>(null);
+  readonly origin = signal<OpenDocument | null>(null);
   /** The text of a document that is being opened: it is shown before it is solved. */
   private readonly opening = signal<string | null>(null);
   /** The document before the edit under way. */

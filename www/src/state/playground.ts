@@ -25,6 +25,12 @@ export class Playground extends Edits {
   readonly gallery = new Gallery(this);
   readonly draft = new Draft(this);
 
+  /** What is being dragged belongs to the problem that was open. */
+  override open(...asked: Parameters<Edits["open"]>): Promise<boolean> {
+    this.editing.drag.value = null;
+    return super.open(...asked);
+  }
+
   override dispose(): void {
     super.dispose();
     const { walker, guess, adviser, comparison, tradeoff, draft } = this;

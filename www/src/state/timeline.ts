@@ -12,6 +12,8 @@ export class Timeline {
   readonly playing = signal(false);
   readonly speed = signal<Speed>(1.5);
 
+  /** The furthest step that was shown of these steps. */
+  readonly seen = signal(0);
   readonly lastStep: ReadonlySignal<number> = computed(() => Math.max(0, (this.trace.value?.steps.length ?? 1) - 1));
   readonly shown: ReadonlySignal<TraceStep | null> = computed(() => this.trace.value?.steps[this.step.value] ?? null);
 
@@ -25,6 +27,7 @@ export class Timeline {
     if (at !== "same") this.wanted = at === "end" ? "end" : 0;
     this.trace.value = trace;
     this.step.value = this.wanted === "end" ? last : Math.min(this.wanted, last);
+    this.seen.value = this.step.value;
   }
 
   goTo(step: number): void {
@@ -63,6 +66,7 @@ export class Timeline {
   private stand(step: number): void {
     const last = this.lastStep.value;
     this.step.value = Math.min(last, step);
+    this.seen.value = Math.max(this.seen.value, this.step.value);
     this.wanted = last > 0 && step >= last ? "end" : this.step.value;
   }
 }

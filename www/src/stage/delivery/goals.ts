@@ -58,7 +58,7 @@ export function goalCards(name: BoardName, input: DeliveryInput, cards: Cards, t
 
 function card(name: BoardName, goal: GoalView, { width, size }: Cards, x: number, y: number) {
   const height = size + 0.4;
-  const look = name === "actor" ? "plain" : goal.attributes[name];
+  const look = name === "actor" ? "plain" : goal.alive[name] ? "alive" : "dead";
   return svg`<g class="goal set ${look}" transform="translate(${x} ${y})" data-goal=${goal.name}
       data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
       ?data-true-goal=${goal.isTrue}>

@@ -2,11 +2,15 @@
 // for the reader: the observers do not see it.
 import { nothing, svg } from "lit";
 import type { State, Trace } from "../../core.js";
+import { sameCell } from "../../problem/cells.js";
 import type { BoardName } from "../board-input.js";
 import { type Cell, cellOf, type GridScene, keyOf } from "./cells.js";
+import { RING } from "./goal-place.js";
 
-export function start([column, row]: Cell, scale: number) {
-  return svg`<circle class="start" cx=${column + 0.5} cy=${row + 0.5} r=${0.2 * scale}></circle>`;
+/** Where goals stand as well, the start is a ring around them. */
+export function start(cell: Cell, goals: readonly { cell: Cell }[], scale: number) {
+  const shared = goals.some((goal) => sameCell(goal.cell, cell));
+  return svg`<circle class="start" cx=${cell[0] + 0.5} cy=${cell[1] + 0.5} r=${(shared ? RING : 0.2) * scale}></circle>`;
 }
 
 /** The steps walked as a line, the ones to come as dots. */

@@ -14,7 +14,7 @@ import { goalViews } from "../goal-attributes.js";
 import { agent, path, start } from "./agent.js";
 import { cellLayer } from "./cell-layer.js";
 import { type Cell, cellOf, type GridInput, keysOf } from "./cells.js";
-import { goalMark } from "./goal.js";
+import { goalMarks } from "./goal.js";
 import { cameraCorners, camerasOn, dots, enlarged, floorSquares, isLarge, squares } from "./marks.js";
 
 /** Room for strokes at the edge, in cells. */
@@ -36,10 +36,15 @@ export function board(name: BoardName, input: GridInput, playground: Playground)
     <g ${cellLayer({ width, height, walls, believed: keysOf(belief) })}></g>
     <path class="camera" d=${cameraCorners(camerasOn(name, playground), walls)}></path>
     <path class="dot" d=${dots(belief)}></path>
-    ${start(scene.start, scale)}
+    ${start(scene.start, scene.goals, scale)}
     ${name === "actor" ? path(input.trace, input.step) : nothing}
     ${agent(name, scene, shown.state, playground.mode.value === "guess", scale)}
-    ${goalViews(scene, shown).map((goal, index) => goalMark(name, goal, scene.goals[index]?.cell ?? scene.start, scale))}
+    ${goalMarks(
+      name,
+      goalViews(scene, shown),
+      scene.goals.map(({ cell }) => cell),
+      scale,
+    )}
     ${boardMarks(name, playground)}
   </svg>`;
 }

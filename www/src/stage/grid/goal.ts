@@ -7,13 +7,22 @@ import type { BoardName } from "../board-input.js";
 import type { GoalView } from "../goal-attributes.js";
 import { goalInWords, marks } from "../goal-marks.js";
 import type { Cell } from "./cells.js";
+import { type Place, placeOf } from "./goal-place.js";
 
 const LONGEST_LABEL = 3;
 
-export function goalMark(board: BoardName, goal: GoalView, [column, row]: Cell, scale: number) {
-  const look = board === "actor" ? "plain" : goal.attributes[board];
+/** The marks of all goals: those that share a cell stand side by side in it, and the true goal is on top of all. */
+export function goalMarks(board: BoardName, goals: readonly GoalView[], cells: readonly Cell[], scale: number) {
+  const placed = goals.map((goal, index) => ({ goal, place: placeOf(cells, index, scale) }));
+  return [...placed.filter(({ goal }) => !goal.isTrue), ...placed.filter(({ goal }) => goal.isTrue)].map(
+    ({ goal, place }) => goalMark(board, goal, place),
+  );
+}
+
+function goalMark(board: BoardName, goal: GoalView, { x, y, scale }: Place) {
+  const look = board === "actor" ? "plain" : goal.alive[board] ? "alive" : "dead";
   const label = shortened(goal.name);
-  return svg`<g class="goal ${look}" transform=${`translate(${column + 0.5} ${row + 0.5})${scale === 1 ? "" : ` scale(${scale})`}`}
+  return svg`<g class="goal ${look}" transform=${`translate(${x} ${y})${scale === 1 ? "" : ` scale(${scale})`}`}
       data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
       data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
     <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>

@@ -10,7 +10,7 @@ import { goalViews } from "../goal-attributes.js";
 import { start } from "../grid/agent.js";
 import { boardClasses } from "../grid/board.js";
 import { cellLayer } from "../grid/cell-layer.js";
-import { goalMark } from "../grid/goal.js";
+import { goalMarks } from "../grid/goal.js";
 import { dots, enlarged, isLarge, squares } from "../grid/marks.js";
 import { believedCells, keysOfCells, type PoseScene } from "./scene.js";
 
@@ -51,11 +51,16 @@ export function poseBoard(
         : nothing
     }
     <g ${cellLayer({ width, height, walls, believed: keysOfCells(believed) })}></g>
-    ${start(scene.start.robot, scale)}
+    ${start(scene.start.robot, scene.goals, scale)}
     ${name === "actor" ? path(input) : nothing}
     ${parts.under}
     <path class="dot" d=${dots(believed)}></path>
-    ${goalViews(scene, shown).map((goal, index) => goalMark(name, goal, scene.goals[index]?.cell ?? [0, 0], scale))}
+    ${goalMarks(
+      name,
+      goalViews(scene, shown),
+      scene.goals.map(({ cell }) => cell),
+      scale,
+    )}
     ${parts.over} ${boardMarks(name, playground)}
     ${parts.below === undefined ? nothing : svg`<g transform="translate(0 ${height})">${parts.below.drawn}</g>`}
   </svg>`;
