@@ -53,6 +53,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "problem",
             "report",
             "solver",
+            "task",
             "trace",
         ],
     ),
