@@ -70,6 +70,53 @@ test("attributes that change are followed, and what can't be used is said", () =
     { quiet: false },
   ));
 
+test("attributes that change together are followed together, and the last ones win", () =>
+  visit(async ({ page }) => {
+    await course(
+      page,
+      `<mo-copp-playground id="one" src="problem.json" link="off"></mo-copp-playground>
+       <mo-copp-playground id="two" src="problem.json" horizon="5" link="off"></mo-copp-playground>`,
+    );
+    await ready(page, "#one");
+    await page.waitForSelector("#two[data-status=optimal], #two[data-status=infeasible]");
+    const set = (selector: string, attributes: Record<string, string | null>) =>
+      page.evaluate(
+        ([selector, attributes]) => {
+          const element = document.querySelector(selector);
+          for (const [name, value] of Object.entries(attributes)) {
+            if (value === null) element?.removeAttribute(name);
+            else element?.setAttribute(name, value);
+          }
+        },
+        [selector, attributes] as const,
+      );
+    await set("#one", { plan: "north,north,east", step: "1" });
+    await page.locator("#one").getByText("The plan of this page").first().waitFor();
+    await page.waitForSelector('#one[data-step="1"]');
+    await set("#two", { problem: "eight-by-eight", src: null, horizon: null });
+    await page.waitForFunction(() => document.querySelectorAll('#two [data-board="actor"] [data-cell]').length === 64);
+    // One that is still on its way is overtaken by what is asked for after it.
+    let answer = () => {};
+    const held = new Promise<void>((resolve) => {
+      answer = resolve;
+    });
+    await page.route(`${address}lesson/late.json`, async (route) => {
+      await held;
+      await route.fulfill({ contentType: "application/json", body: grid({ width: 6 }) });
+    });
+    const late = page.waitForRequest("**/late.json");
+    await set("#one", { src: "late.json" });
+    await late;
+    await set("#one", { src: null, plan: null, step: null, problem: "corridor" });
+    await ready(page, "#one", '[data-step="5"]');
+    const finished = page.waitForResponse("**/late.json").then((response) => response.finished());
+    answer();
+    await finished;
+    await set("#one", { step: "2" });
+    await ready(page, "#one", '[data-step="2"]');
+    assert.equal(await page.locator("#one .title", { hasText: "One step too far" }).count(), 1);
+  }));
+
 test("every part can be left out", () =>
   visit(async ({ page }) => {
     const parts: [part: string, selector: string][] = [

@@ -47,6 +47,10 @@ export class MoCoppPlayground extends SignalElement {
   /** Whether the page's address is this playground's. */
   private sharing = false;
   private begun = false;
+  /** The attributes that changed in this turn. */
+  private readonly changed = new Set<string>();
+  /** How often they were followed: whoever is still at it then knows that others came after. */
+  private followed = 0;
   private following = false;
 
   protected override createRenderRoot(): HTMLElement {
@@ -80,8 +84,25 @@ export class MoCoppPlayground extends SignalElement {
     super.attributeChangedCallback(name, before, after);
     if (!this.begun || before === after) return;
     this.requestUpdate();
-    if (name === "step") goToStep(this.playground, settingsOf(this));
-    else if (name !== "hide" && name !== "link") void settle(this.playground, settingsOf(this), exampleDocument);
+    if (name === "hide" || name === "link") return;
+    // A page that changes several means all of them at once.
+    if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
+    this.changed.add(name);
+  }
+
+  private followAttributes(): void {
+    const stepOnly = this.changed.size === 1 && this.changed.has("step");
+    this.changed.clear();
+    if (stepOnly) goToStep(this.playground, settingsOf(this));
+    else void this.settle();
+  }
+
+  private async settle(): Promise<void> {
+    this.followed += 1;
+    const now = this.followed;
+    const settled = await settle(this.playground, settingsOf(this), exampleDocument, () => now === this.followed);
+    // The step may have changed meanwhile.
+    if (settled) goToStep(this.playground, settingsOf(this));
   }
 
   protected override firstUpdated(): void {
@@ -92,10 +113,10 @@ export class MoCoppPlayground extends SignalElement {
   private async begin(): Promise<void> {
     this.begun = true;
     const opened = this.sharing ? await this.address.read() : null;
-    if (opened === true) return;
+    if (opened === true || this.followed > 0) return;
     const { playground } = this;
     const mistake = playground.error.value;
-    await settle(playground, settingsOf(this), exampleDocument);
+    await this.settle();
     if (opened === false && mistake !== null) playground.refuse(mistake);
   }
 

@@ -30,17 +30,26 @@ export function hiddenParts(text: string | null): ReadonlySet<string> {
   return new Set((text ?? "").split(/[\s,]+/));
 }
 
-/** Opens what the attributes ask for; without any, what the page begins with. */
-export async function settle(playground: Playground, settings: Settings, fallback: string): Promise<void> {
-  const opened = await openProblem(playground, settings, fallback);
-  if (!opened) return;
+/**
+ * Opens what the attributes ask for; without any, what the page begins with. `wanted`: whether they are still the last
+ * ones asked for; when they are not, the rest is left to those that came after them. False where it came to no end.
+ */
+export async function settle(
+  playground: Playground,
+  settings: Settings,
+  fallback: string,
+  wanted: () => boolean,
+): Promise<boolean> {
+  const opened = await openProblem(playground, settings, fallback, wanted);
+  if (!opened || !wanted()) return false;
   const form = formOf(settings);
   if (Object.keys(form).length > 0) {
     playground.edit(form);
     await playground.solve();
+    if (!wanted()) return false;
   }
-  if (settings.plan !== null) await showPlan(playground, settings.plan);
-  goToStep(playground, settings);
+  if (settings.plan !== null) await showPlan(playground, settings.plan, wanted);
+  return wanted();
 }
 
 export function goToStep({ timeline }: Playground, settings: Settings): void {
@@ -48,15 +57,23 @@ export function goToStep({ timeline }: Playground, settings: Settings): void {
   if (Number.isInteger(step)) timeline.goTo(step);
 }
 
-async function openProblem(playground: Playground, { src, problem }: Settings, fallback: string): Promise<boolean> {
+async function openProblem(
+  playground: Playground,
+  { src, problem }: Settings,
+  fallback: string,
+  wanted: () => boolean,
+): Promise<boolean> {
+  const { gallery } = playground;
   if (src !== null) {
     const text = await fetched(src);
+    if (!wanted()) return false;
     if (text !== null) return playground.open(text);
     playground.refuse(`The problem document “${src}” could not be loaded.`);
     return false;
   }
-  if (problem !== null) return playground.gallery.open(problem);
-  return playground.open(fallback);
+  if (problem === null) return playground.open(fallback);
+  if (!gallery.documents.value.has(problem)) await gallery.load();
+  return wanted() && gallery.open(problem);
 }
 
 /** Larger than any problem that can be drawn. */
@@ -83,12 +100,13 @@ function formOf({ solver, k, j, horizon }: Settings): Partial<Form> {
   };
 }
 
-async function showPlan(playground: Playground, plan: string): Promise<void> {
+async function showPlan(playground: Playground, plan: string, wanted: () => boolean): Promise<void> {
   const named = playground.gallery.current.value?.plans?.find(({ title }) => title === plan);
   if (named !== undefined) await playground.gallery.show(named);
   else
     await playground.showPlan(
       plan.split(",").map((action) => action.trim()),
       "The plan of this page",
+      wanted,
     );
 }
