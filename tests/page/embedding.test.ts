@@ -190,6 +190,36 @@ test("several stand in one page: no id twice, one address, keys and undo for the
     await page.locator("#a .title", { hasText: "Three rooms" }).first().waitFor();
   }));
 
+test("what is dropped on one playground is not for the one that has the page", () =>
+  visit(async ({ page }) => {
+    await course(
+      page,
+      `<mo-copp-playground id="a" problem="corridor"></mo-copp-playground>
+       <mo-copp-playground id="b" problem="head-fake" link="off"></mo-copp-playground>`,
+    );
+    for (const one of ["#a", "#b"]) await ready(page, one);
+    const data = await page.evaluateHandle((text) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([text], "problem.json", { type: "application/json" }));
+      return transfer;
+    }, grid());
+    const drag = (on: string, type: string) => page.dispatchEvent(on, type, { dataTransfer: data });
+    // Over the page it is the first one's, until it comes over the other.
+    await drag("h1", "dragover");
+    await page.locator("#a .drop").waitFor();
+    await drag("#b .stage", "dragenter");
+    await drag("#b .stage", "dragover");
+    await page.locator("#b .drop").waitFor();
+    assert.equal(await page.locator("#a .drop").count(), 0);
+    await drag("#b .stage", "drop");
+    await page.waitForFunction(() => document.querySelectorAll('#b [data-board="actor"] [data-cell]').length === 12);
+    assert.equal(await page.locator("#a .title", { hasText: "One step too far" }).count(), 1);
+    assert.equal(await page.locator("#a").getAttribute("data-status"), "optimal");
+    // And what is dropped elsewhere is the first one's.
+    await drag("h1", "drop");
+    await page.waitForFunction(() => document.querySelectorAll('#a [data-board="actor"] [data-cell]').length === 12);
+  }));
+
 test("it tells the page of steps and answers", () =>
   visit(async ({ page }) => {
     await page.addInitScript(`
