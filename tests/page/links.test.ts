@@ -81,6 +81,30 @@ test("a link of the guessing game begins another round", () =>
     assert.equal(await page.locator("[data-true-goal]").count(), 0);
   }));
 
+test("after a guess the link shows the goal that was drawn, and the way to it", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await useDocument(page, grid());
+      await page.waitForFunction(() => document.querySelectorAll('[data-board="actor"] [data-cell]').length === 12);
+      await openTab(page, "Play");
+      await press(page, "Start guessing");
+      await page.locator(".play.guess").getByRole("button", { name: "G1", exact: true }).click();
+      await page.getByText("No: it was G2").waitFor();
+      const before = { drawn: await drawn(page), gd: await attribute(page, "data-gd") };
+      const hash = await addressHolds(page, ({ document }) => JSON.parse(String(document)).true_goal === "G2");
+      const state = await stateIn(hash);
+      await follow(page, hash);
+      await statusIs(page, "optimal");
+      await stepIs(page, state.plan.length);
+      assert.deepEqual(await drawn(page), before.drawn);
+      assert.equal(await attribute(page, "data-gd"), before.gd);
+      assert.equal(await page.locator('table.goals [data-true-goal][data-goal="G2"]').count(), 1);
+    },
+    // The second goal is drawn.
+    { before: (page) => page.addInitScript("crypto.getRandomValues = (values) => values.fill(1)") },
+  ));
+
 test("a named plan and its step come back", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
