@@ -70,6 +70,34 @@ test("attributes that change are followed, and what can't be used is said", () =
     { quiet: false },
   ));
 
+test("settings that can't be used are said, and the problem is shown", () =>
+  visit(async ({ page }) => {
+    await course(
+      page,
+      `<mo-copp-playground id="one" problem="corridor" solver="magic" step="abc" hide="tols legend" link="off"></mo-copp-playground>`,
+    );
+    const alert = page.locator("#one").getByRole("alert").first();
+    await alert.getByText("“magic” can’t be used for the attribute solver; expected exact, ip,").waitFor();
+    await alert.getByText("“abc” can’t be used for the attribute step; expected a whole number").waitFor();
+    await alert.getByText("“tols” can’t be used for the attribute hide; expected parts").waitFor();
+    assert.equal(await page.locator("#one .title", { hasText: "One step too far" }).count(), 1);
+    assert.equal(await page.locator("#one").getAttribute("data-step"), "5");
+    assert.equal(await page.locator("#one .legend").count(), 0);
+    await page.locator("#one").getByRole("button", { name: "Close the message" }).click();
+    await ready(page, "#one");
+    // Once is enough.
+    await page.evaluate(() => document.querySelector("#one")?.setAttribute("step", "2"));
+    await ready(page, "#one", '[data-step="2"]');
+    assert.equal(await alert.textContent().then((text) => text?.trim()), "");
+    // In a frame's address as well, where the page has parts of its own.
+    await page.goto(`${address}?problem=corridor&step=-1&k=many&hide=intro,footer`);
+    const own = page.getByRole("alert").first();
+    await own.getByText("“-1” can’t be used for the attribute step").waitFor();
+    const text = (await own.textContent()) ?? "";
+    assert(text.includes("k must be a whole number"), text);
+    assert(!text.includes("hide"), text);
+  }));
+
 test("attributes that change together are followed together, and the last ones win", () =>
   visit(async ({ page }) => {
     await course(

@@ -23,7 +23,7 @@ import { workbench } from "../workbench/workbench.js";
 import { SolverClient } from "../worker/client.js";
 import { Notifier } from "./events.js";
 import { PageKeys } from "./page-keys.js";
-import { goToStep, hiddenParts, type Part, settingNames, settingsOf, settle } from "./settings.js";
+import { goToStep, hiddenParts, mistakes, type Part, settingNames, settingsOf, settle } from "./settings.js";
 import { SignalElement } from "./signal-element.js";
 
 export class MoCoppPlayground extends SignalElement {
@@ -84,25 +84,40 @@ export class MoCoppPlayground extends SignalElement {
     super.attributeChangedCallback(name, before, after);
     if (!this.begun || before === after) return;
     this.requestUpdate();
-    if (name === "hide" || name === "link") return;
+    if (name === "link") return;
     // A page that changes several means all of them at once.
     if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
     this.changed.add(name);
   }
 
   private followAttributes(): void {
-    const stepOnly = this.changed.size === 1 && this.changed.has("step");
+    const names = new Set(this.changed);
     this.changed.clear();
-    if (stepOnly) goToStep(this.playground, settingsOf(this));
-    else void this.settle();
+    if ([...names].some((name) => name !== "step" && name !== "hide")) {
+      void this.settle();
+      return;
+    }
+    if (names.has("step")) goToStep(this.playground, settingsOf(this));
+    this.sayMistakes(names);
   }
 
   private async settle(): Promise<void> {
     this.followed += 1;
     const now = this.followed;
-    const settled = await settle(this.playground, settingsOf(this), exampleDocument, () => now === this.followed);
+    const wanted = () => now === this.followed;
+    const settled = await settle(this.playground, settingsOf(this), exampleDocument, wanted);
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this));
+    if (wanted()) this.sayMistakes(new Set([...settingNames, "hide"]));
+  }
+
+  /** Beside what else could not be used. */
+  private sayMistakes(names: ReadonlySet<string>): void {
+    const found = mistakes(this, names);
+    if (found.length === 0) return;
+    const said = this.playground.error.peek();
+    const others = said === null || found.some((mistake) => said.includes(mistake)) ? [] : [said];
+    this.playground.refuse([...others, ...found].join(" "));
   }
 
   protected override firstUpdated(): void {

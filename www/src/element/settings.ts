@@ -30,6 +30,30 @@ export function hiddenParts(text: string | null): ReadonlySet<string> {
   return new Set((text ?? "").split(/[\s,]+/));
 }
 
+/** What also stands in the `hide` of an address: the page's own parts (site.ts). */
+const pageParts = ["intro", "footer"] as const;
+
+/** What of these attributes can't be used: a sentence for each that says what was expected. */
+export function mistakes(element: Element, names: ReadonlySet<string>): string[] {
+  const value = (name: string) => (names.has(name) ? element.getAttribute(name) : null);
+  const [solver, step] = [value("solver"), value("step")];
+  const found: string[] = [];
+  if (solver !== null && !isOneOf(solverNames, solver)) found.push(unusable("solver", solver, solverNames.join(", ")));
+  if (step !== null && stepOf(step) === null) found.push(unusable("step", step, "a whole number from 0"));
+  for (const part of hiddenParts(value("hide"))) {
+    const known = part === "" || isOneOf(parts, part) || isOneOf(pageParts, part);
+    if (!known) found.push(unusable("hide", part, `parts of the playground: ${parts.join(", ")}`));
+  }
+  return found;
+}
+
+const isOneOf = (names: readonly string[], text: string): boolean => names.includes(text);
+
+const unusable = (name: string, text: string, expected: string): string =>
+  `“${text}” can’t be used for the attribute ${name}; expected ${expected}.`;
+
+const stepOf = (text: string): number | null => (/^\s*\d{1,6}\s*$/.test(text) ? Number(text) : null);
+
 /**
  * Opens what the attributes ask for; without any, what the page begins with. `wanted`: whether they are still the last
  * ones asked for; when they are not, the rest is left to those that came after them. False where it came to no end.
@@ -52,9 +76,9 @@ export async function settle(
   return wanted();
 }
 
-export function goToStep({ timeline }: Playground, settings: Settings): void {
-  const step = settings.step === null ? Number.NaN : Number(settings.step);
-  if (Number.isInteger(step)) timeline.goTo(step);
+export function goToStep({ timeline }: Playground, { step }: Settings): void {
+  const wanted = step === null ? null : stepOf(step);
+  if (wanted !== null) timeline.goTo(wanted);
 }
 
 async function openProblem(
