@@ -41,7 +41,9 @@ test("every solver's answer stands in the table, and choosing one shows its plan
       const [answer, difference, enemy, friend, moves, time] = cells.map((text) => text.trim());
       const expected = { ...words, solved: options.solver === "baseline" ? "reaches the goal" : undefined };
       const said = expected[outcome.status as keyof typeof expected];
-      if (said !== undefined) assert.equal(answer, said, title);
+      const length = outcome.plan?.length ?? outcome.horizon;
+      const of = options.solver === "ip" && outcome.status !== "solved" ? ` of ${length} moves` : "";
+      if (said !== undefined) assert.equal(answer, said + of, title);
       else assert.match(answer ?? "", /^(meets the (friend’s bound|bounds)|reaches the goal)$/);
       assert.equal(difference, String(outcome.goal_difference ?? "–"), title);
       assert.equal(enemy, String(outcome.goals?.adversarial.length ?? "–"), title);
@@ -57,6 +59,15 @@ test("every solver's answer stands in the table, and choosing one shows its plan
     assert.equal(await attribute(page, "data-gd"), String(baseline.goal_difference));
     await press(page, "Back to the solver’s plan");
     assert.equal(await page.getByRole("button", { name: "Baseline" }).getAttribute("aria-pressed"), "false");
+  }));
+
+test("a proof for plans of one length says so", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Compare");
+    await press(page, "Compare all solvers");
+    await row(page, "Integer program, belief flow").getByText("proved best of 14 moves").waitFor();
+    await row(page, "Exact search").getByText("proved best", { exact: true }).waitFor();
   }));
 
 test("the best plan's bounds are offered", () =>
@@ -121,7 +132,9 @@ test("one is skipped with its best plan kept, the rest is cancelled, and the liv
       .getByText(/states looked at/)
       .waitFor();
     await press(page, "Cancel");
-    await row(page, "Exact search").getByText("best found (skipped)").waitFor();
+    await row(page, "Exact search").getByText("best found (cancelled)").waitFor();
+    await page.getByText("The comparison was cancelled.").waitFor({ state: "attached" });
+    assert.equal(await page.getByText("The comparison is complete.").count(), 0);
     await row(page, "Baseline").getByText("not run").waitFor();
   }));
 

@@ -60,3 +60,22 @@ for (const colorScheme of ["light", "dark"] as const) {
       ));
   }
 }
+
+test("on a phone what tables say of keys has more room than the keys", () =>
+  visit(
+    async ({ page }) => {
+      for (const [name] of pages) {
+        await page.goto(`${address}docs/${name}.html`);
+        const narrow = await page.locator("table").evaluateAll((tables) =>
+          tables.flatMap((table) => {
+            const cells = [...(table as HTMLTableElement).rows].at(-1)?.cells ?? [];
+            const [key, words] = [...cells].map((cell) => cell.getBoundingClientRect().width);
+            const ofKeys = cells.length === 2 && cells[0]?.querySelector("code") !== null;
+            return ofKeys && Number(words) < Number(key) ? [`${cells[0]?.textContent}: ${key}, ${words}`] : [];
+          }),
+        );
+        assert.deepEqual(narrow, [], name);
+      }
+    },
+    { viewport: { width: 390, height: 800 } },
+  ));

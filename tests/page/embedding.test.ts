@@ -70,6 +70,81 @@ test("attributes that change are followed, and what can't be used is said", () =
     { quiet: false },
   ));
 
+test("settings that can't be used are said, and the problem is shown", () =>
+  visit(async ({ page }) => {
+    await course(
+      page,
+      `<mo-copp-playground id="one" problem="corridor" solver="magic" step="abc" hide="tols legend" link="off"></mo-copp-playground>`,
+    );
+    const alert = page.locator("#one").getByRole("alert").first();
+    await alert.getByText("“magic” can’t be used for the attribute solver; expected exact, ip,").waitFor();
+    await alert.getByText("“abc” can’t be used for the attribute step; expected a whole number").waitFor();
+    await alert.getByText("“tols” can’t be used for the attribute hide; expected parts").waitFor();
+    assert.equal(await page.locator("#one .title", { hasText: "One step too far" }).count(), 1);
+    assert.equal(await page.locator("#one").getAttribute("data-step"), "5");
+    assert.equal(await page.locator("#one .legend").count(), 0);
+    await page.locator("#one").getByRole("button", { name: "Close the message" }).click();
+    await ready(page, "#one");
+    // Once is enough.
+    await page.evaluate(() => document.querySelector("#one")?.setAttribute("step", "2"));
+    await ready(page, "#one", '[data-step="2"]');
+    assert.equal(await alert.textContent().then((text) => text?.trim()), "");
+    // In a frame's address as well, where the page has parts of its own.
+    await page.goto(`${address}?problem=corridor&step=-1&k=many&hide=intro,footer`);
+    const own = page.getByRole("alert").first();
+    await own.getByText("“-1” can’t be used for the attribute step").waitFor();
+    const text = (await own.textContent()) ?? "";
+    assert(text.includes("k must be a whole number"), text);
+    assert(!text.includes("hide"), text);
+  }));
+
+test("attributes that change together are followed together, and the last ones win", () =>
+  visit(async ({ page }) => {
+    await course(
+      page,
+      `<mo-copp-playground id="one" src="problem.json" link="off"></mo-copp-playground>
+       <mo-copp-playground id="two" src="problem.json" horizon="5" link="off"></mo-copp-playground>`,
+    );
+    await ready(page, "#one");
+    await page.waitForSelector("#two[data-status=optimal], #two[data-status=infeasible]");
+    const set = (selector: string, attributes: Record<string, string | null>) =>
+      page.evaluate(
+        ([selector, attributes]) => {
+          const element = document.querySelector(selector);
+          for (const [name, value] of Object.entries(attributes)) {
+            if (value === null) element?.removeAttribute(name);
+            else element?.setAttribute(name, value);
+          }
+        },
+        [selector, attributes] as const,
+      );
+    await set("#one", { plan: "north,north,east", step: "1" });
+    await page.locator("#one").getByText("The plan of this page").first().waitFor();
+    await page.waitForSelector('#one[data-step="1"]');
+    await set("#two", { problem: "eight-by-eight", src: null, horizon: null });
+    await page.waitForFunction(() => document.querySelectorAll('#two [data-board="actor"] [data-cell]').length === 64);
+    // One that is still on its way is overtaken by what is asked for after it.
+    let answer = () => {};
+    const held = new Promise<void>((resolve) => {
+      answer = resolve;
+    });
+    await page.route(`${address}lesson/late.json`, async (route) => {
+      await held;
+      await route.fulfill({ contentType: "application/json", body: grid({ width: 6 }) });
+    });
+    const late = page.waitForRequest("**/late.json");
+    await set("#one", { src: "late.json" });
+    await late;
+    await set("#one", { src: null, plan: null, step: null, problem: "corridor" });
+    await ready(page, "#one", '[data-step="5"]');
+    const finished = page.waitForResponse("**/late.json").then((response) => response.finished());
+    answer();
+    await finished;
+    await set("#one", { step: "2" });
+    await ready(page, "#one", '[data-step="2"]');
+    assert.equal(await page.locator("#one .title", { hasText: "One step too far" }).count(), 1);
+  }));
+
 test("every part can be left out", () =>
   visit(async ({ page }) => {
     const parts: [part: string, selector: string][] = [
@@ -141,6 +216,36 @@ test("several stand in one page: no id twice, one address, keys and undo for the
     await page.keyboard.press("Control+z");
     await page.locator("#c .title", { hasText: "The paper’s delivery" }).first().waitFor();
     await page.locator("#a .title", { hasText: "Three rooms" }).first().waitFor();
+  }));
+
+test("what is dropped on one playground is not for the one that has the page", () =>
+  visit(async ({ page }) => {
+    await course(
+      page,
+      `<mo-copp-playground id="a" problem="corridor"></mo-copp-playground>
+       <mo-copp-playground id="b" problem="head-fake" link="off"></mo-copp-playground>`,
+    );
+    for (const one of ["#a", "#b"]) await ready(page, one);
+    const data = await page.evaluateHandle((text) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([text], "problem.json", { type: "application/json" }));
+      return transfer;
+    }, grid());
+    const drag = (on: string, type: string) => page.dispatchEvent(on, type, { dataTransfer: data });
+    // Over the page it is the first one's, until it comes over the other.
+    await drag("h1", "dragover");
+    await page.locator("#a .drop").waitFor();
+    await drag("#b .stage", "dragenter");
+    await drag("#b .stage", "dragover");
+    await page.locator("#b .drop").waitFor();
+    assert.equal(await page.locator("#a .drop").count(), 0);
+    await drag("#b .stage", "drop");
+    await page.waitForFunction(() => document.querySelectorAll('#b [data-board="actor"] [data-cell]').length === 12);
+    assert.equal(await page.locator("#a .title", { hasText: "One step too far" }).count(), 1);
+    assert.equal(await page.locator("#a").getAttribute("data-status"), "optimal");
+    // And what is dropped elsewhere is the first one's.
+    await drag("h1", "drop");
+    await page.waitForFunction(() => document.querySelectorAll('#a [data-board="actor"] [data-cell]').length === 12);
   }));
 
 test("it tells the page of steps and answers", () =>

@@ -7,7 +7,7 @@ import type { Page } from "playwright-core";
 import { sameProblem } from "../../www/src/problem/same.js";
 import { written } from "../../www/src/problem/text.js";
 import { visit } from "./support/browser.js";
-import { solve } from "./support/core.js";
+import { replay, solve } from "./support/core.js";
 import { best, documentOf, entries, planned } from "./support/gallery.js";
 import { dragMouse } from "./support/hands.js";
 import { attribute, press, statusIs, stepIs } from "./support/playground.js";
@@ -62,6 +62,12 @@ const claims: Record<string, () => void> = {
   "three-rooms": () => {
     assert.deepEqual(planned("three-rooms", "Along the wall"), { moves: 6, difference: 0.5, valid: true });
     assert.deepEqual(planned("three-rooms", "As in every room"), { moves: 6, difference: 1, valid: true });
+    // In how many rooms the enemy believes at the end.
+    const rooms = (plan: readonly string[] | undefined) =>
+      replay(documentOf("three-rooms"), [...(plan ?? [])]).steps.at(-1)?.beliefs.adversarial.length;
+    const wall = entries.find(({ name }) => name === "three-rooms")?.plans?.[0];
+    assert.equal(rooms(wall?.plan), 2);
+    assert.equal(rooms(solve(documentOf("three-rooms"), { solver: "exact" }).outcome.plan ?? []), 3);
   },
   parity: () => near(best("parity"), 0.5),
   "stay-and-wait": () => {

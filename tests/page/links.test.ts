@@ -18,6 +18,7 @@ import {
   stepIs,
   useDocument,
 } from "./support/playground.js";
+import { address } from "./support/site.js";
 import { textIs } from "./support/text.js";
 
 const says = async (page: Page, words: RegExp) => {
@@ -81,6 +82,30 @@ test("a link of the guessing game begins another round", () =>
     assert.equal(await page.locator("[data-true-goal]").count(), 0);
   }));
 
+test("after a guess the link shows the goal that was drawn, and the way to it", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await useDocument(page, grid());
+      await page.waitForFunction(() => document.querySelectorAll('[data-board="actor"] [data-cell]').length === 12);
+      await openTab(page, "Play");
+      await press(page, "Start guessing");
+      await page.locator(".play.guess").getByRole("button", { name: "G1", exact: true }).click();
+      await page.getByText("No: it was G2").waitFor();
+      const before = { drawn: await drawn(page), gd: await attribute(page, "data-gd") };
+      const hash = await addressHolds(page, ({ document }) => JSON.parse(String(document)).true_goal === "G2");
+      const state = await stateIn(hash);
+      await follow(page, hash);
+      await statusIs(page, "optimal");
+      await stepIs(page, state.plan.length);
+      assert.deepEqual(await drawn(page), before.drawn);
+      assert.equal(await attribute(page, "data-gd"), before.gd);
+      assert.equal(await page.locator('table.goals [data-true-goal][data-goal="G2"]').count(), 1);
+    },
+    // The second goal is drawn.
+    { before: (page) => page.addInitScript("crypto.getRandomValues = (values) => values.fill(1)") },
+  ));
+
 test("a named plan and its step come back", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
@@ -92,6 +117,24 @@ test("a named plan and its step come back", () =>
     await stepIs(page, 9);
     await page.locator('button[aria-pressed="true"]', { hasText: "Straight there" }).waitFor();
     assert.equal(await attribute(page, "data-gd"), String(2 / 3));
+  }));
+
+test("a named plan that is the best one of another true goal comes back as that", () =>
+  visit(async ({ page }) => {
+    await page.goto(`${address}?problem=delivery`);
+    await page.waitForSelector('mo-copp-playground[data-gd="1"]');
+    await press(page, "One from each");
+    await page.waitForSelector('mo-copp-playground[data-gd="0.4"]');
+    const button = page.locator('button[aria-pressed="true"]', { hasText: "One from each" });
+    await button.waitFor();
+    const hash = await addressHolds(page, ({ document }) => JSON.parse(String(document)).true_goal === "a1+b1");
+    await follow(page, hash);
+    await button.waitFor();
+    assert.equal(await attribute(page, "data-gd"), "0.4");
+    // One that was made while the solver had not found the plan again.
+    const state = { ...(await stateIn(hash)), title: "the plan of the link" };
+    await follow(page, `#${await pack(JSON.stringify(state))}`);
+    await button.waitFor();
   }));
 
 test("a walk comes back, and goes on", () =>

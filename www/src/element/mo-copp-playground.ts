@@ -24,7 +24,7 @@ import { SolverClient } from "../worker/client.js";
 import { Notifier } from "./events.js";
 import { keepInSight } from "./in-sight.js";
 import { PageKeys } from "./page-keys.js";
-import { goToStep, hiddenParts, type Part, settingNames, settingsOf, settle } from "./settings.js";
+import { goToStep, hiddenParts, mistakes, type Part, settingNames, settingsOf, settle } from "./settings.js";
 import { SignalElement } from "./signal-element.js";
 
 export class MoCoppPlayground extends SignalElement {
@@ -49,6 +49,10 @@ export class MoCoppPlayground extends SignalElement {
   private sharing = false;
   private readonly seen = keepInSight(this);
   private begun = false;
+  /** The attributes that changed in this turn. */
+  private readonly changed = new Set<string>();
+  /** How often they were followed: whoever is still at it then knows that others came after. */
+  private followed = 0;
   private following = false;
 
   protected override createRenderRoot(): HTMLElement {
@@ -84,8 +88,40 @@ export class MoCoppPlayground extends SignalElement {
     super.attributeChangedCallback(name, before, after);
     if (!this.begun || before === after) return;
     this.requestUpdate();
-    if (name === "step") goToStep(this.playground, settingsOf(this));
-    else if (name !== "hide" && name !== "link") void settle(this.playground, settingsOf(this), exampleDocument);
+    if (name === "link") return;
+    // A page that changes several means all of them at once.
+    if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
+    this.changed.add(name);
+  }
+
+  private followAttributes(): void {
+    const names = new Set(this.changed);
+    this.changed.clear();
+    if ([...names].some((name) => name !== "step" && name !== "hide")) {
+      void this.settle();
+      return;
+    }
+    if (names.has("step")) goToStep(this.playground, settingsOf(this));
+    this.sayMistakes(names);
+  }
+
+  private async settle(): Promise<void> {
+    this.followed += 1;
+    const now = this.followed;
+    const wanted = () => now === this.followed;
+    const settled = await settle(this.playground, settingsOf(this), exampleDocument, wanted);
+    // The step may have changed meanwhile.
+    if (settled) goToStep(this.playground, settingsOf(this));
+    if (wanted()) this.sayMistakes(new Set([...settingNames, "hide"]));
+  }
+
+  /** Beside what else could not be used. */
+  private sayMistakes(names: ReadonlySet<string>): void {
+    const found = mistakes(this, names);
+    if (found.length === 0) return;
+    const said = this.playground.error.peek();
+    const others = said === null || found.some((mistake) => said.includes(mistake)) ? [] : [said];
+    this.playground.refuse([...others, ...found].join(" "));
   }
 
   protected override firstUpdated(): void {
@@ -96,10 +132,10 @@ export class MoCoppPlayground extends SignalElement {
   private async begin(): Promise<void> {
     this.begun = true;
     const opened = this.sharing ? await this.address.read() : null;
-    if (opened === true) return;
+    if (opened === true || this.followed > 0) return;
     const { playground } = this;
     const mistake = playground.error.value;
-    await settle(playground, settingsOf(this), exampleDocument);
+    await this.settle();
     if (opened === false && mistake !== null) playground.refuse(mistake);
   }
 

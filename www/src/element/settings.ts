@@ -30,33 +30,74 @@ export function hiddenParts(text: string | null): ReadonlySet<string> {
   return new Set((text ?? "").split(/[\s,]+/));
 }
 
-/** Opens what the attributes ask for; without any, what the page begins with. */
-export async function settle(playground: Playground, settings: Settings, fallback: string): Promise<void> {
-  const opened = await openProblem(playground, settings, fallback);
-  if (!opened) return;
+/** What also stands in the `hide` of an address: the page's own parts (site.ts). */
+const pageParts = ["intro", "footer"] as const;
+
+/** What of these attributes can't be used: a sentence for each that says what was expected. */
+export function mistakes(element: Element, names: ReadonlySet<string>): string[] {
+  const value = (name: string) => (names.has(name) ? element.getAttribute(name) : null);
+  const [solver, step] = [value("solver"), value("step")];
+  const found: string[] = [];
+  if (solver !== null && !isOneOf(solverNames, solver)) found.push(unusable("solver", solver, solverNames.join(", ")));
+  if (step !== null && stepOf(step) === null) found.push(unusable("step", step, "a whole number from 0"));
+  for (const part of hiddenParts(value("hide"))) {
+    const known = part === "" || isOneOf(parts, part) || isOneOf(pageParts, part);
+    if (!known) found.push(unusable("hide", part, `parts of the playground: ${parts.join(", ")}`));
+  }
+  return found;
+}
+
+const isOneOf = (names: readonly string[], text: string): boolean => names.includes(text);
+
+const unusable = (name: string, text: string, expected: string): string =>
+  `“${text}” can’t be used for the attribute ${name}; expected ${expected}.`;
+
+const stepOf = (text: string): number | null => (/^\s*\d{1,6}\s*$/.test(text) ? Number(text) : null);
+
+/**
+ * Opens what the attributes ask for; without any, what the page begins with. `wanted`: whether they are still the last
+ * ones asked for; when they are not, the rest is left to those that came after them. False where it came to no end.
+ */
+export async function settle(
+  playground: Playground,
+  settings: Settings,
+  fallback: string,
+  wanted: () => boolean,
+): Promise<boolean> {
+  const opened = await openProblem(playground, settings, fallback, wanted);
+  if (!opened || !wanted()) return false;
   const form = formOf(settings);
   if (Object.keys(form).length > 0) {
     playground.edit(form);
     await playground.solve();
+    if (!wanted()) return false;
   }
-  if (settings.plan !== null) await showPlan(playground, settings.plan);
-  goToStep(playground, settings);
+  if (settings.plan !== null) await showPlan(playground, settings.plan, wanted);
+  return wanted();
 }
 
-export function goToStep({ timeline }: Playground, settings: Settings): void {
-  const step = settings.step === null ? Number.NaN : Number(settings.step);
-  if (Number.isInteger(step)) timeline.goTo(step);
+export function goToStep({ timeline }: Playground, { step }: Settings): void {
+  const wanted = step === null ? null : stepOf(step);
+  if (wanted !== null) timeline.goTo(wanted);
 }
 
-async function openProblem(playground: Playground, { src, problem }: Settings, fallback: string): Promise<boolean> {
+async function openProblem(
+  playground: Playground,
+  { src, problem }: Settings,
+  fallback: string,
+  wanted: () => boolean,
+): Promise<boolean> {
+  const { gallery } = playground;
   if (src !== null) {
     const text = await fetched(src);
+    if (!wanted()) return false;
     if (text !== null) return playground.open(text);
     playground.refuse(`The problem document “${src}” could not be loaded.`);
     return false;
   }
-  if (problem !== null) return playground.gallery.open(problem);
-  return playground.open(fallback);
+  if (problem === null) return playground.open(fallback);
+  if (!gallery.documents.value.has(problem)) await gallery.load();
+  return wanted() && gallery.open(problem);
 }
 
 /** Larger than any problem that can be drawn. */
@@ -83,12 +124,13 @@ function formOf({ solver, k, j, horizon }: Settings): Partial<Form> {
   };
 }
 
-async function showPlan(playground: Playground, plan: string): Promise<void> {
+async function showPlan(playground: Playground, plan: string, wanted: () => boolean): Promise<void> {
   const named = playground.gallery.current.value?.plans?.find(({ title }) => title === plan);
   if (named !== undefined) await playground.gallery.show(named);
   else
     await playground.showPlan(
       plan.split(",").map((action) => action.trim()),
       "The plan of this page",
+      wanted,
     );
 }

@@ -84,7 +84,7 @@ export const entries: readonly Entry[] = [
     name: "three-rooms",
     title: "Three rooms",
     about:
-      "The enemy sees every move, but not in which room. Only a walk that is possible in all three rooms keeps it in doubt.",
+      "The enemy sees every move, but not in which room. A walk along the wall fits two of the three rooms; the best walk fits them all.",
     plans: [
       { title: "Along the wall", plan: [...times(4, "north"), ...times(2, "east")] },
       { title: "As in every room" },

@@ -28,6 +28,10 @@ export class DropTarget {
 
   private readonly dragged = (event: Event) => {
     const { dataTransfer } = event as DragEvent;
+    if (event.defaultPrevented) {
+      this.pass();
+      return;
+    }
     if (dataTransfer === null || inText(event)) return;
     event.preventDefault();
     dataTransfer.dropEffect = "copy";
@@ -43,10 +47,16 @@ export class DropTarget {
     }, 100);
   };
 
+  /** What another playground, or the page around it, has taken is not for this one. */
+  private pass(): void {
+    clearTimeout(this.leaving);
+    this.over.value = false;
+  }
+
   private readonly dropped = (event: Event) => {
     const { dataTransfer } = event as DragEvent;
-    this.over.value = false;
-    if (dataTransfer === null || inText(event)) return;
+    this.pass();
+    if (event.defaultPrevented || dataTransfer === null || inText(event)) return;
     event.preventDefault();
     void this.take(dataTransfer);
   };

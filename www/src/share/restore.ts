@@ -16,14 +16,17 @@ export async function restore(playground: Playground, state: SharedState): Promi
   stop();
   if (!right) return false;
   const opened = playground.document.value;
+  // It may be one of the gallery's: then it has a name, and named plans.
+  void playground.gallery.load();
   if (state.tab !== "") playground.workbench.open(state.tab);
   if (state.mode === "guess") {
     // What the other was to guess is not in the link: another goal is drawn.
     await playground.guess.start();
     return true;
   }
-  const { plan = [], title } = state;
-  const other = plan.length > 0 && (title !== undefined || !same(plan, planShown(playground)));
+  const { plan = [], title = LINK } = state;
+  // What the solver has found again is its plan.
+  const other = plan.length > 0 && (title !== LINK || !same(plan, planShown(playground)));
   // Who had only begun to walk has no plan yet.
   if (state.mode === "walk" || other) await showPlan(playground, plan, state);
   // Somebody may have gone on already.

@@ -1,6 +1,7 @@
 // What a link holds: the problem, what is asked of the solver, the plan shown and the step, and what is open.
+import { written } from "../problem/text.js";
 import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
-import type { Mode, Playground } from "../state/playground.js";
+import type { Mode, OpenDocument, Playground } from "../state/playground.js";
 import { LinkError } from "./packed.js";
 
 export interface SharedState {
@@ -30,7 +31,7 @@ export function stateOf(playground: Playground): SharedState | null {
   const plan = mode === "guess" ? [] : planShown(playground);
   const title = playground.chosen.value;
   return {
-    document: document.text,
+    document: documentShown(playground, document),
     form: changed(playground.form.value),
     ...(answered(playground) ? { answered: true } : {}),
     ...(plan.length > 0 ? { plan } : {}),
@@ -39,6 +40,14 @@ export function stateOf(playground: Playground): SharedState | null {
     tab: playground.workbench.tab.value,
     mode,
   };
+}
+
+/** After a guess the steps are those of the goal that was drawn for it: so is the document of the link. */
+function documentShown({ guess, mode, chosen }: Playground, { text, value }: OpenDocument): string {
+  const round = guess.round.value;
+  const drawn = round.kind === "over" && mode.value === "plan" && chosen.value === null;
+  if (!drawn || round.goal === (value as { true_goal?: string }).true_goal) return text;
+  return written({ ...value, true_goal: round.goal } as typeof value);
 }
 
 export function planShown({ timeline }: Playground): string[] {

@@ -39,6 +39,15 @@ export function scope({ options, outcome }: Result): string {
   return ` of the plans of ${everyLength ? "every length" : counted(outcome.plan.length, "move")}${bounds}`;
 }
 
+/** Of how many moves the plans are that the proof is about; "" where it is about all. */
+export function proved({ options, outcome }: Result): string {
+  const { status, plan, horizon } = outcome;
+  const oneLength = options.solver === "ip" || options.horizon !== undefined;
+  const moves = plan?.length ?? horizon;
+  if (!oneLength || (status !== "optimal" && status !== "infeasible") || moves == null) return "";
+  return ` of ${counted(moves, "move")}`;
+}
+
 /** What the answer leaves open, as a sentence. */
 export function caveat({ options, outcome }: Result): string {
   const { status, limit } = outcome;

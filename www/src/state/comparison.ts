@@ -33,7 +33,7 @@ export interface Row {
   state: "waiting" | "running" | "answered" | "failed" | "left out";
   result?: Result;
   /** Why it was ended before its own end. */
-  ended?: "skipped" | "out of time";
+  ended?: "skipped" | "cancelled" | "out of time";
   seconds?: number;
   message?: string;
 }
@@ -41,13 +41,14 @@ export interface Row {
 export class Comparison {
   readonly rows = signal<readonly Row[]>(entrants.map((entrant) => ({ entrant, state: "waiting" })));
   readonly running = signal(false);
+  /** It was ended before every solver had its turn. */
+  readonly cancelled = signal(false);
   readonly progress = signal<Progress | null>(null);
   readonly stopwatch = new Stopwatch();
   readonly patience = signal<number>(10);
   /** What was compared: null before the first time. */
   private readonly asked = signal<{ document: OpenDocument; bounds: string } | null>(null);
   private readonly client = new SolverClient();
-  private cancelled = false;
   private ended: Row["ended"];
 
   readonly started: ReadonlySignal<boolean> = computed(() => this.asked.value !== null);
@@ -69,14 +70,14 @@ export class Comparison {
     if (document === null || this.running.peek()) return;
     const form = this.playground.form.value;
     const asked = { document, bounds: boundsOf(form) };
-    this.cancelled = false;
     batch(() => {
+      this.cancelled.value = false;
       this.asked.value = asked;
       this.running.value = true;
       this.rows.value = entrants.map((entrant) => ({ entrant, state: "waiting" }));
     });
     for (const [index, { chosen }] of entrants.entries()) {
-      if (this.cancelled) break;
+      if (this.cancelled.peek()) break;
       const options = optionsOf({ ...emptyForm, ...numbersOf(form), ...chosen });
       if (typeof options === "string") this.change(index, { state: "failed", message: options });
       else await this.runOne(index, document, options);
@@ -91,14 +92,18 @@ export class Comparison {
 
   /** Ends the solver at work, with the best it has, and goes on with the next. */
   skip(): void {
-    this.ended = "skipped";
-    this.client.cancel();
+    this.end("skipped");
   }
 
   /** Ends the solver at work, with the best it has, and runs no other. */
   cancel(): void {
-    this.cancelled = true;
-    this.skip();
+    this.cancelled.value = true;
+    this.end("cancelled");
+  }
+
+  private end(how: Row["ended"]): void {
+    this.ended = how;
+    this.client.cancel();
   }
 
   dispose(): void {
@@ -109,7 +114,7 @@ export class Comparison {
   /** Nobody wants the answers any more. */
   private drop(): void {
     if (!this.running.peek()) return;
-    this.cancelled = true;
+    this.cancelled.value = true;
     this.client.drop();
   }
 

@@ -13,6 +13,7 @@ export function compare(playground: Playground): TemplateResult {
   const running = comparison.running.value;
   const outdated = comparison.outdated.value;
   const again = comparison.started.value;
+  const end = comparison.cancelled.value ? "The comparison was cancelled." : "The comparison is complete.";
   return html`<div class="compare">
     <p class="lead">Every solver on this problem, one after another. Choose one to see its plan on the boards.</p>
     <div class="solver">
@@ -32,7 +33,7 @@ export function compare(playground: Playground): TemplateResult {
     ${outdated ? html`<p class="outdated">These results are of an earlier problem, or of other bounds.</p>` : nothing}
     ${running && !outdated ? atWork(playground) : nothing}
     ${again ? comparisonTable(playground) : nothing}
-    <div role="status" class="unseen">${again && !running && !outdated ? "The comparison is complete." : nothing}</div>
+    <div role="status" class="unseen">${again && !running && !outdated ? end : nothing}</div>
     ${shownPlan(playground)}
   </div>`;
 }

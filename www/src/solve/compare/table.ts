@@ -3,7 +3,7 @@ import { html, nothing, svg, type TemplateResult } from "lit";
 import type { Row } from "../../state/comparison.js";
 import type { Playground } from "../../state/playground.js";
 import { duration, shortNumber } from "../../view/numbers.js";
-import { verdict } from "../verdict.js";
+import { proved, verdict } from "../verdict.js";
 
 const heads = ["Solver", "Answer", "Goal difference", "Enemy", "Friend", "Moves", "Time"] as const;
 
@@ -53,7 +53,7 @@ function answer(row: Row): TemplateResult | string {
   if (row.state === "waiting") return "waits";
   if (row.state === "left out") return "not run";
   if (row.result === undefined) return html`<span class="failed" role="alert">${row.message ?? ""}</span>`;
-  return html`${verdict(row.result)}${row.ended === undefined ? nothing : html` <small>(${row.ended})</small>`}`;
+  return html`${verdict(row.result)}${proved(row.result)}${row.ended === undefined ? nothing : html` <small>(${row.ended})</small>`}`;
 }
 
 /** The number with a bar that grows from the middle: to the right for the good side. */
