@@ -330,6 +330,11 @@ test("in a frame, its address says what it shows", () =>
     await page.goto(`${address}embed.html`);
     await ready(page, "#parity", '[data-gd="0.5"]');
     await ready(page, "#waiting", '[data-step="2"]');
+    await page.getByRole("heading", { name: "As elements, one below the other" }).waitFor();
+    const [upper, lower] = await Promise.all(
+      ["#parity", "#waiting"].map((selector) => page.locator(selector).boundingBox()),
+    );
+    assert(upper && lower && upper.x === lower.x && upper.y + upper.height <= lower.y);
     const frame = page.frameLocator("iframe");
     await frame.locator('mo-copp-playground[data-gd="1"]').waitFor();
     await frame.getByText("The paper’s delivery").first().waitFor();

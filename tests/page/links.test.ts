@@ -26,6 +26,10 @@ const says = async (page: Page, words: RegExp) => {
   assert.match((await page.getByRole("alert").textContent()) ?? "", words);
 };
 
+/** The text of the option that is chosen. */
+const chosenIn = (page: Page, label: string) =>
+  page.getByLabel(label).evaluate((field) => (field as HTMLSelectElement).selectedOptions[0]?.textContent);
+
 test("everything that is shown comes back from the link", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
@@ -219,6 +223,8 @@ test("what a link holds of a wrong kind is left out", () =>
       tab: "<b>",
       mode: "god",
       title: 7,
+      extra: 7,
+      patience: -1,
     };
     await follow(page, `#${await pack(JSON.stringify(state))}`);
     await statusIs(page, "optimal");
@@ -227,6 +233,36 @@ test("what a link holds of a wrong kind is left out", () =>
     assert.equal(await page.getByLabel("Enemy keeps at least").inputValue(), "");
     const last = await page.getByRole("slider").getAttribute("max");
     await stepIs(page, Number(last));
+    await openTab(page, "Compare");
+    assert.equal(await chosenIn(page, "Each may take"), "10 seconds");
+    await openTab(page, "Trade-off");
+    assert.equal(await chosenIn(page, "Up to"), "12");
+  }));
+
+test("how far the trade-off looks and how long the comparison may take come back", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await useDocument(page, grid());
+    await openTab(page, "Compare");
+    for (const [label, seconds] of [
+      ["2 seconds", 2],
+      ["as long as it likes", 0],
+    ] as const) {
+      await page.getByLabel("Each may take").selectOption({ label });
+      await addressHolds(page, ({ patience }) => patience === seconds);
+    }
+    await openTab(page, "Trade-off");
+    await page.getByLabel("Up to").selectOption("24");
+    const hash = await addressHolds(page, ({ extra, patience }) => extra === 24 && patience === 0);
+    await follow(page, hash);
+    assert.equal(await chosenIn(page, "Up to"), "24");
+    await openTab(page, "Compare");
+    assert.equal(await chosenIn(page, "Each may take"), "as long as it likes");
+    // A link without them is of a page where nobody touched them.
+    const { extra, patience, ...older } = await stateIn(hash);
+    assert.deepEqual([extra, patience], [24, 0]);
+    await follow(page, `#${await pack(JSON.stringify(older))}`);
+    assert.equal(await chosenIn(page, "Up to"), "12");
   }));
 
 test("a plan that does not fit the link's problem is said, and the problem is shown", () =>

@@ -1,7 +1,9 @@
 // Puts a playground into the state that a link holds.
 import { effect } from "@preact/signals-core";
+import { initialPatience } from "../state/comparison.js";
 import { emptyForm } from "../state/form.js";
 import type { Playground } from "../state/playground.js";
+import { initialExtra } from "../state/tradeoff.js";
 import { planShown, type SharedState } from "./shared-state.js";
 
 /** Whose the plan is that no solver has found again. */
@@ -18,6 +20,7 @@ export async function restore(playground: Playground, state: SharedState): Promi
   const opened = playground.document.value;
   // It may be one of the gallery's: then it has a name, and named plans.
   void playground.gallery.load();
+  showSettings(playground, state);
   if (state.tab !== "") playground.workbench.open(state.tab);
   if (state.mode === "guess") {
     // What the other was to guess is not in the link: another goal is drawn.
@@ -32,6 +35,11 @@ export async function restore(playground: Playground, state: SharedState): Promi
   // Somebody may have gone on already.
   if (playground.document.value === opened) playground.timeline.goTo(state.step);
   return true;
+}
+
+function showSettings({ tradeoff, comparison }: Playground, { extra, patience }: SharedState): void {
+  tradeoff.extra.value = extra ?? initialExtra;
+  comparison.patience.value = patience === 0 ? Number.POSITIVE_INFINITY : (patience ?? initialPatience);
 }
 
 /** Shows the link's plan while a solver that takes long is at work. */

@@ -1,7 +1,9 @@
 // What a link holds: the problem, what is asked of the solver, the plan shown and the step, and what is open.
 import { written } from "../problem/text.js";
+import { initialPatience, patiences } from "../state/comparison.js";
 import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
 import type { Mode, OpenDocument, Playground } from "../state/playground.js";
+import { extras, initialExtra } from "../state/tradeoff.js";
 import { LinkError } from "./packed.js";
 
 export interface SharedState {
@@ -17,6 +19,10 @@ export interface SharedState {
   step: number;
   tab: string;
   mode: Mode;
+  /** How many moves more than the shortest plan the trade-off looks at, where somebody chose it. */
+  extra?: number;
+  /** The seconds that each solver of the comparison may take, where somebody chose them; 0: without end. */
+  patience?: number;
 }
 
 /** The core takes no longer plans. */
@@ -30,6 +36,8 @@ export function stateOf(playground: Playground): SharedState | null {
   const mode = playground.mode.value;
   const plan = mode === "guess" ? [] : planShown(playground);
   const title = playground.chosen.value;
+  const extra = playground.tradeoff.extra.value;
+  const patience = playground.comparison.patience.value;
   return {
     document: documentShown(playground, document),
     form: changed(playground.form.value),
@@ -39,6 +47,8 @@ export function stateOf(playground: Playground): SharedState | null {
     step: timeline.step.value,
     tab: playground.workbench.tab.value,
     mode,
+    ...(extra === initialExtra ? {} : { extra }),
+    ...(patience === initialPatience ? {} : { patience: Number.isFinite(patience) ? patience : 0 }),
   };
 }
 
@@ -79,7 +89,7 @@ export function readState(text: string): SharedState {
     throw new LinkError("This link is damaged.");
   }
   if (typeof value !== "object" || value === null) throw new LinkError("This link is damaged.");
-  const { document, form, answered, plan, title, step, tab, mode } = value as Record<string, unknown>;
+  const { document, form, answered, plan, title, step, tab, mode, extra, patience } = value as Record<string, unknown>;
   if (typeof document !== "string") throw new LinkError("This link is damaged: it holds no problem.");
   return {
     document,
@@ -90,8 +100,12 @@ export function readState(text: string): SharedState {
     step: typeof step === "number" && Number.isInteger(step) ? step : 0,
     tab: typeof tab === "string" ? tab : "",
     mode: mode === "walk" || mode === "guess" ? mode : "plan",
+    ...(isOneOf(extras, extra) ? { extra } : {}),
+    ...(isOneOf([0, ...patiences], patience) ? { patience } : {}),
   };
 }
+
+const isOneOf = (numbers: readonly number[], value: unknown): value is number => numbers.some((one) => one === value);
 
 const isPlan = (value: unknown): value is string[] =>
   Array.isArray(value) && value.length <= LONGEST_PLAN && value.every((action) => typeof action === "string");

@@ -27,6 +27,7 @@ export const entrants: readonly Entrant[] = [
 
 /** The seconds that each may take; the last is without end. */
 export const patiences = [2, 10, 60, Number.POSITIVE_INFINITY] as const;
+export const initialPatience = 10;
 
 export interface Row {
   entrant: Entrant;
@@ -45,7 +46,7 @@ export class Comparison {
   readonly cancelled = signal(false);
   readonly progress = signal<Progress | null>(null);
   readonly stopwatch = new Stopwatch();
-  readonly patience = signal<number>(10);
+  readonly patience = signal<number>(initialPatience);
   /** What was compared: null before the first time. */
   private readonly asked = signal<{ document: OpenDocument; bounds: string } | null>(null);
   private readonly client = new SolverClient();

@@ -29,6 +29,7 @@ type Solved = Extract<Ending, { kind: "solved" }>["outcome"];
 
 /** How many moves more than the shortest plan can be looked at. */
 export const extras = [6, 12, 24, 48] as const;
+export const initialExtra = 12;
 const PATIENCE_S = 3;
 /** The core looks at no more. */
 const MOST_LENGTHS = 1000;
@@ -39,7 +40,7 @@ export class Tradeoff {
   readonly busy = signal(false);
   readonly progress = signal<Progress | null>(null);
   readonly stopwatch = new Stopwatch();
-  readonly extra = signal<number>(12);
+  readonly extra = signal<number>(initialExtra);
   /** What went wrong; the next change tries again. */
   readonly error = signal<string | null>(null);
   /** Something was given up since it took long. */
