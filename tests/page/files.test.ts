@@ -179,7 +179,7 @@ test("the saved document is the one that is open, and runs in the core", () =>
 
     // And it is opened again as it was saved.
     await press(page, "Next problem");
-    await page.locator(".title", { hasText: "The paper’s gridworld" }).first().waitFor();
+    await page.locator(".title", { hasText: "Head fake past a decoy" }).first().waitFor();
     await page.getByLabel("Open a file").setInputFiles(jsonFile(edited.text));
     await textIs(page, edited.text);
   }));
