@@ -157,9 +157,23 @@ fn what_is_proved_is_kept_when_it_is_stopped() {
                 assert_eq!(difference(point), difference(whole));
             }
             let ending = judge.check_plan(&options, outcome, &wish);
-            let status = if ending.is_some() { Status::Feasible } else { Status::Limit };
-            assert_eq!(outcome.status, status);
-            assert!(points.iter().all(|p| p.best.is_none()) || status == Status::Feasible);
+            let feasible = match outcome.status {
+                // None can be better.
+                Status::Optimal => {
+                    assert_eq!(outcome.goal_difference, whole.goal_difference);
+                    true
+                }
+                Status::Feasible => {
+                    assert_ne!(outcome.goal_difference, Some(1.0));
+                    true
+                }
+                status => {
+                    assert_eq!(status, Status::Limit);
+                    false
+                }
+            };
+            assert_eq!(feasible, ending.is_some());
+            assert!(points.iter().all(|p| p.best.is_none()) || feasible);
         };
         let mut run = Run::new(Arc::clone(&judge.problem), options.clone()).unwrap();
         let mut finished = false;

@@ -49,6 +49,33 @@ fn random_case(dice: &mut Dice) -> (Judge, Wish, Options) {
     (judge, wish, options)
 }
 
+/// Of a run that was stopped, the pairs found until then: of the plan at least, and none but those
+/// that the whole run finds.
+fn check_pairs(options: &Options, outcome: &Outcome, whole: &Outcome) {
+    assert_eq!(outcome.pareto.is_some(), options.pareto);
+    let Some(points) = &outcome.pareto else { return };
+    assert!(points.windows(2).all(|two| two[0].counts < two[1].counts));
+    let all = whole.pareto.as_ref().unwrap();
+    for point in points {
+        assert!(all.iter().any(|known| known.counts == point.counts));
+    }
+    assert_eq!(outcome.plan.is_some(), !points.is_empty());
+}
+
+/// A run that was stopped has the best plan where it says so, and says so where all pairs were
+/// wanted and none can be better.
+fn check_status(options: &Options, outcome: &Outcome, whole: &Outcome) {
+    match outcome.status {
+        Status::Optimal => assert_eq!(outcome.goal_difference, whole.goal_difference),
+        Status::Feasible => {
+            assert!(outcome.plan.is_some());
+            assert!(!options.pareto || outcome.goal_difference != Some(1.0));
+        }
+        Status::Limit => assert!(outcome.plan.is_none()),
+        Status::Solved | Status::Infeasible => panic!("{:?} with a limit", outcome.status),
+    }
+}
+
 #[test]
 fn slices_of_any_size_give_the_same_outcome() {
     let mut dice = Dice::new(20);
@@ -83,7 +110,7 @@ fn a_cancelled_run_keeps_the_best_plan() {
             seen[0] += 1;
             assert_same(outcome.clone(), &whole);
         } else {
-            assert!(outcome.pareto.is_none());
+            check_pairs(&options, &outcome, &whole);
             // Left behind without its run, from what was last heard of it.
             let left = abandoned(&judge.problem, &options, Some(&progress)).unwrap();
             let status = if left.plan.is_some() { Status::Feasible } else { Status::Limit };
@@ -95,9 +122,8 @@ fn a_cancelled_run_keeps_the_best_plan() {
             if outcome.status == Status::Solved {
                 assert!(whole.status == Status::Solved && ending.is_some());
             } else {
-                let status = if ending.is_some() { Status::Feasible } else { Status::Limit };
                 seen[if ending.is_some() { 1 } else { 2 }] += 1;
-                assert_eq!(outcome.status, status);
+                check_status(&options, &outcome, &whole);
                 assert_eq!(outcome.limit, Some(LimitReached::Cancelled));
                 assert!(ending.is_none() || whole.status == Status::Optimal);
             }
@@ -156,8 +182,9 @@ fn check_limited(
         assert_eq!(outcome, whole);
         return false;
     };
-    let status = if ending.is_some() { Status::Feasible } else { Status::Limit };
-    assert_eq!(outcome.status, status);
+    assert_eq!(ending.is_some(), outcome.plan.is_some());
+    check_status(options, outcome, whole);
+    check_pairs(options, outcome, whole);
     assert_ne!(limit, LimitReached::Cancelled);
     true
 }

@@ -67,7 +67,11 @@ export interface Outcome {
   plan: string[] | null;
   goals: ByObserver<string[]> | null;
   goal_difference: number | null;
+  /** With `pareto`: sorted. */
   pareto?: { adversarial: number; cooperative: number; plan: string[] }[];
+  /** There, and false, where a limit or a stop came before all pairs were found: `pareto` has those found until then.
+      The status may be `optimal` all the same. */
+  pareto_complete?: false;
   /** One for each length from 0, where `lengths` was asked for; of a run that was stopped, only for the
       lengths that are proved. Null where no plan of that length keeps the bounds. */
   lengths?: LengthPoint[];

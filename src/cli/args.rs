@@ -103,7 +103,8 @@ pub struct SolveArgs {
     /// What the plan must achieve.
     #[command(flatten)]
     pub bounds: BoundsArgs,
-    /// Every reachable pair of survivor counts with a plan for each. For exact.
+    /// Every reachable pair of survivor counts with a plan for each; where a limit comes first,
+    /// those found until then. For exact.
     #[arg(long)]
     pub pareto: bool,
     /// The best plan of every length from 0 to L. For exact, without a horizon.

@@ -15,7 +15,7 @@ pub enum CliError {
     /// A file that cannot be read.
     #[error("{file}: {reason}")]
     Read {
-        /// Its name.
+        /// Its name, with line and column where the reason is about a place in it.
         file: String,
         /// Why.
         reason: String,
@@ -23,7 +23,7 @@ pub enum CliError {
     /// A document that is wrong.
     #[error("{file}: {error}")]
     Document {
-        /// The file's name, with line and column where the error does not name them.
+        /// The file's name, with line and column.
         file: String,
         /// What is wrong.
         error: DocumentError,

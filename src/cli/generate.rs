@@ -25,10 +25,11 @@ pub fn run(args: &GenerateArgs) -> Result<u8, CliError> {
     };
     print(&(drawn.document.to_json() + "\n"))?;
     if drawn.redraws > 0 {
-        eprintln!(
-            "mo-copp: note: {} problems without a plan were drawn before this one",
-            drawn.redraws
-        );
+        let before = match drawn.redraws {
+            1 => "1 problem without a plan was".to_owned(),
+            count => format!("{count} problems without a plan were"),
+        };
+        eprintln!("mo-copp: note: {before} drawn before this one");
     }
     Ok(0)
 }

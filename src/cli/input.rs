@@ -38,8 +38,13 @@ pub fn text(path: &Path) -> Result<String, CliError> {
     }
     String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to();
-        let reason = format!("byte {place}: found something else, expected UTF-8 text");
-        CliError::Read { file, reason }
+        let (before, rest) = error.as_bytes().split_at(place);
+        let before = String::from_utf8_lossy(before);
+        let line = before.split('\n').count();
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+        let byte = rest.first().copied().unwrap_or_default();
+        let reason = format!("found the byte 0x{byte:02X}, expected UTF-8 text");
+        CliError::Read { file: format!("{file}:{line}:{column}"), reason }
     })
 }
 
@@ -56,14 +61,16 @@ pub fn texts(one: &Path, other: &Path) -> Result<(String, String), CliError> {
 pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
     let text = text(path)?;
     let wrong = |error: DocumentError| {
-        let file = path.display();
-        let file = match (&error, error.place(&text)) {
-            // It names line and column itself.
-            (DocumentError::Syntax { .. }, _) => file.to_string(),
-            // Editors and terminals follow this.
-            (_, place) => format!("{file}:{}:{}", place.line, place.column),
-        };
-        CliError::Document { file, error }
+        let place = error.place(&text);
+        // Editors and terminals follow this.
+        let file = format!("{}:{}:{}", path.display(), place.line, place.column);
+        match error {
+            // It would say the place for a second time.
+            DocumentError::Syntax { found, expected, .. } => {
+                CliError::Read { file, reason: format!("found {found}, expected {expected}") }
+            }
+            error => CliError::Document { file, error },
+        }
     };
     let document = Document::parse(&text).map_err(wrong)?;
     Ok(Arc::new(document.problem().map_err(wrong)?))

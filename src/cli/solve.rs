@@ -104,7 +104,11 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
         );
     }
     if let Some(points) = &report.pareto {
-        let _ = writeln!(text, "reachable pairs (goals left to the enemy, to the friend):");
+        let which = match report.pareto_complete {
+            Some(false) => "pairs found so far, not all",
+            _ => "reachable pairs",
+        };
+        let _ = writeln!(text, "{which} (goals left to the enemy, to the friend):");
         for point in points {
             let plan = point.plan.join(", ");
             let pair = format!("({}, {})", point.adversarial, point.cooperative);

@@ -131,6 +131,14 @@ fn scope<'a>(domain: &'a Domain, objects: &'a Objects) -> Scope<'a> {
     Scope { types: &domain.types, predicates: &domain.predicates, objects, parameters: None }
 }
 
+/// Whether a number and a list come first, as behind the `at` of a timed initial literal. No atom
+/// holds a list, so that a predicate `at` can be told from it.
+fn is_timed(mut items: Expressions<'_>) -> bool {
+    let number = items.next().and_then(Expression::symbol);
+    number.is_some_and(|time| time.parse::<f64>().is_ok())
+        && items.next().is_some_and(|literal| literal.list().is_some())
+}
+
 /// The atoms of a state. A negated one says nothing new, but must not contradict the others.
 fn state(scope: &Scope<'_>, items: Expressions<'_>) -> Result<Vec<Atom>, PddlError> {
     const EXPECTED: &str = "an atom, as in (on a b)";
@@ -151,7 +159,8 @@ fn state(scope: &Scope<'_>, items: Expressions<'_>) -> Result<Vec<Atom>, PddlErr
             let found = format!("{}, which needs :action-costs or :numeric-fluents", item.shown());
             return Err(item.wrong(found, EXPECTED));
         }
-        if !head.symbol().is_some_and(declared)
+        let is_timed = head.is("at") && is_timed(items.clone());
+        if (is_timed || !head.symbol().is_some_and(declared))
             && let Some(error) = unsupported(item, head)
         {
             return Err(error);

@@ -2,7 +2,7 @@
 //!
 //! `*` matches every operator, `stack` every one of that name, and `(stack a ?x - small)` those whose
 //! arguments fit: an object is itself, a variable is anything of the type, or of the *group* of
-//! objects, that stands behind its dash (and, as everywhere in PDDL, behind those before it that have
+//! objects, or `(either …)` of them, that stands behind its dash (and, as everywhere in PDDL, behind those before it that have
 //! no dash). A variable that stands twice is the same object twice.
 
 use std::sync::Arc;
@@ -35,7 +35,59 @@ enum Argument {
 enum Kind {
     Anything,
     Types(Arc<TypeSet>),
+    /// One of these, sorted: of a group, or of several groups and types.
     Group(Vec<ObjectId>),
+}
+
+impl Kind {
+    /// What stands behind a dash: a type, a group, or several of them with `either`. `wanted` are
+    /// the types that the argument has anyhow.
+    fn read(
+        domain: &Domain,
+        task: &TaskDefinition,
+        groups: &[Group],
+        typed: &Typed<'_>,
+        kind: Expression<'_>,
+        wanted: &TypeSet,
+    ) -> Result<Self, PddlError> {
+        let expected = domain.types.written(wanted);
+        let group = |place: Expression<'_>| {
+            let found = groups.iter().find(|(name, _)| place.is(name));
+            found.map(|(_, objects)| objects.as_slice())
+        };
+        let or_group = |mut error: PddlError| {
+            if !groups.is_empty() {
+                let names = some(groups.iter().map(|(name, _)| name.as_str()));
+                error.expected = format!("{}; or a group: {names}", error.expected);
+            }
+            error
+        };
+        let alternatives = typed.alternatives().map_err(or_group)?;
+        if !alternatives.iter().any(|&place| group(place).is_some()) {
+            let types = domain.types.resolve(typed).map_err(or_group)?;
+            if !types.meets(wanted) {
+                return Err(kind.expected(&expected));
+            }
+            return Ok(Self::Types(types));
+        }
+        let mut objects = Vec::new();
+        for place in alternatives {
+            match group(place) {
+                Some(members) => objects.extend_from_slice(members),
+                None => {
+                    let types = domain.types.find_set(place).map_err(or_group)?;
+                    let is_of = |id: &ObjectId| task.objects.types(*id).is_within(types);
+                    objects.extend(task.objects.ids().filter(is_of));
+                }
+            }
+        }
+        objects.sort_unstable();
+        objects.dedup();
+        if !objects.iter().any(|&id| task.objects.types(id).is_within(wanted)) {
+            return Err(kind.expected(&format!("a group with a {expected}")));
+        }
+        Ok(Self::Group(objects))
+    }
 }
 
 /// A pattern over the operators of a task.
@@ -128,32 +180,7 @@ impl Pattern {
         }
         let kind = match typed.kind {
             None => Kind::Anything,
-            Some(kind) => {
-                let named = kind.symbol().map(str::to_lowercase);
-                let group = groups.iter().find(|(name, _)| Some(name) == named.as_ref());
-                match group {
-                    Some((_, objects)) => {
-                        let fits = |id: &&ObjectId| task.objects.types(**id).is_within(wanted);
-                        if objects.iter().find(fits).is_none() {
-                            return Err(kind.expected(&format!("a group with a {}", expected())));
-                        }
-                        Kind::Group(objects.clone())
-                    }
-                    None => {
-                        let types = domain.types.resolve(typed).map_err(|mut error| {
-                            if !groups.is_empty() {
-                                let names = some(groups.iter().map(|(name, _)| name.as_str()));
-                                error.expected = format!("{}; or a group: {names}", error.expected);
-                            }
-                            error
-                        })?;
-                        if !types.meets(wanted) {
-                            return Err(kind.expected(&expected()));
-                        }
-                        Kind::Types(types)
-                    }
-                }
-            }
+            Some(kind) => Kind::read(domain, task, groups, typed, kind, wanted)?,
         };
         let types = match &kind {
             Kind::Types(types) => Arc::clone(types),

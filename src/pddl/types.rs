@@ -255,12 +255,7 @@ impl Types {
     pub(super) fn resolve(&self, typed: &Typed<'_>) -> Result<Arc<TypeSet>, PddlError> {
         let mut types = Vec::new();
         for place in typed.alternatives()? {
-            let name = place.name("a type")?;
-            let id = self.named(&name).ok_or_else(|| {
-                let found = format!("the undeclared type {}", place.shown());
-                place.wrong(found, self.some_names())
-            })?;
-            types.push(id);
+            types.push(self.find(place)?);
         }
         types.sort_unstable();
         types.dedup();
@@ -275,6 +270,20 @@ impl Types {
                 Ok(Arc::new(TypeSet { types: types.into_boxed_slice(), below }))
             }
         }
+    }
+
+    /// The type named here.
+    fn find(&self, place: Expression<'_>) -> Result<TypeId, PddlError> {
+        let name = place.name("a type")?;
+        self.named(&name).ok_or_else(|| {
+            let found = format!("the undeclared type {}", place.shown());
+            place.wrong(found, self.some_names())
+        })
+    }
+
+    /// The type named here, and those below it.
+    pub(super) fn find_set(&self, place: Expression<'_>) -> Result<&TypeSet, PddlError> {
+        Ok(&*self.single[self.find(place)?.index()])
     }
 
     /// The names of some types, for an error.
@@ -315,7 +324,7 @@ pub(super) struct Typed<'t> {
 
 impl<'t> Typed<'t> {
     /// The types named: one, several with `either`, or none.
-    fn alternatives(&self) -> Result<Vec<Expression<'t>>, PddlError> {
+    pub(super) fn alternatives(&self) -> Result<Vec<Expression<'t>>, PddlError> {
         const EXPECTED: &str = "a type or (either …)";
         let Some(kind) = self.kind else { return Ok(Vec::new()) };
         if kind.symbol().is_some() {

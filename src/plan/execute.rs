@@ -9,7 +9,7 @@ use crate::task::{Fact, OperatorId, State, Task};
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum PlanError {
     /// A name that is no action of the task.
-    #[error("step {step}: found {action:?}, expected an action of this problem: {known}")]
+    #[error("step {step}: found {}, expected an action of this problem: {known}", named(action))]
     UnknownAction {
         /// The step, from 1.
         step: usize,
@@ -44,6 +44,10 @@ pub enum PlanError {
         /// What is missing.
         reason: String,
     },
+}
+
+fn named(action: &str) -> String {
+    if action.is_empty() { "nothing".to_owned() } else { format!("{action:?}") }
 }
 
 /// Applies a plan to the initial state: every operator used and every state passed, the initial

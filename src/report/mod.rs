@@ -59,6 +59,9 @@ pub struct SolveReport {
     /// Every reachable pair of survivor counts, sorted, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pareto: Option<Vec<ParetoReport>>,
+    /// False where a limit came before all pairs were found; not there otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pareto_complete: Option<bool>,
     /// The best plan of each length from 0, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lengths: Option<Vec<LengthReport>>,
@@ -221,6 +224,7 @@ impl SolveReport {
                 .as_ref()
                 .map(|sets| ByObserver::new(problem, |i| goal_names(problem, &sets[i]))),
             goal_difference: outcome.goal_difference,
+            pareto_complete: (pareto.is_some() && outcome.limit.is_some()).then_some(false),
             pareto,
             lengths: outcome.lengths.as_ref().map(|points| {
                 points.iter().map(|point| LengthReport::new(problem, point)).collect()

@@ -33,6 +33,11 @@ impl Finding {
         Self { status, plan: Some(plan), ..Self::infeasible() }
     }
 
+    /// Stopped with the best of all plans, but not with all that was asked for.
+    pub(super) fn stopped_at_best(plan: Plan, limit: LimitReached) -> Self {
+        Self { limit: Some(limit), ..Self::plan(Status::Optimal, plan) }
+    }
+
     /// Stopped before the proof, with or without a plan.
     pub(super) fn stopped(plan: Option<Plan>, limit: LimitReached) -> Self {
         let status = if plan.is_some() { Status::Feasible } else { Status::Limit };

@@ -10,7 +10,7 @@ use super::{Encoding, Solver};
 /// How sure an answer is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
-    /// A plan, proved best.
+    /// A plan, proved best. A limit may have come before the rest of what was asked for.
     Optimal,
     /// A plan that keeps the bounds; nothing is said about better ones.
     Solved,
@@ -137,7 +137,8 @@ pub struct Outcome {
     pub survivors: Option<Vec<GoalSet>>,
     /// Its goal difference.
     pub goal_difference: Option<f64>,
-    /// Every reachable pair of survivor counts, sorted, where that was asked for.
+    /// Every reachable pair of survivor counts, sorted, where that was asked for; with a limit
+    /// those found until then.
     pub pareto: Option<Vec<ParetoPoint>>,
     /// The best of each length from 0, where that was asked for; of a run that was stopped, of the
     /// lengths that are proved.

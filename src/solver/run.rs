@@ -14,7 +14,7 @@ use super::engine::{Advance, Engine, Finding};
 use super::exact::{self, lengths};
 #[cfg(feature = "full")]
 use super::ip;
-use super::outcome::{LengthPoint, Outcome, Progress, Stats, Status};
+use super::outcome::{LengthPoint, Outcome, ParetoPoint, Progress, Stats, Status};
 use super::shortest::{Reached, Shortest};
 use super::{Horizon, Options, OptionsError, Solver};
 
@@ -296,7 +296,8 @@ fn conclude(
         plan: None,
         survivors: None,
         goal_difference: None,
-        pareto: None,
+        // Of a run that was stopped, what is known.
+        pareto: options.pareto.then(Vec::new),
         lengths: None,
         limit: finding.limit,
         stats,
@@ -314,6 +315,10 @@ fn conclude(
     };
     if let Some(plan) = &finding.plan {
         let achieved = replay(plan)?;
+        if options.pareto && finding.pareto.is_none() {
+            let point = ParetoPoint { counts: achieved.counts, plan: plan.clone() };
+            outcome.pareto = Some(vec![point]);
+        }
         outcome.horizon = Some(plan.len());
         outcome.goal_difference = Some(problem.goal_difference(achieved.counts));
         outcome.survivors = Some(achieved.survivors);

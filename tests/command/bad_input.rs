@@ -13,13 +13,9 @@ fn refused(document: &str, (from, to, message): Case) {
     assert_eq!(message_of(&ran.err), message, "{to}");
 }
 
-/// The message behind `mo-copp: -:LINE:COLUMN: `, or behind `mo-copp: -: ` where it names line and column itself.
+/// The message behind `mo-copp: -:LINE:COLUMN: `.
 fn message_of(printed: &str) -> &str {
     let message = printed.strip_prefix("mo-copp: -:").unwrap().strip_suffix('\n').unwrap();
-    if let Some(message) = message.strip_prefix(' ') {
-        assert!(message.starts_with("line "), "{message}");
-        return message;
-    }
     let mut parts = message.splitn(3, ':');
     for _ in 0..2 {
         assert!(parts.next().unwrap().parse::<usize>().unwrap() > 0, "{message}");
@@ -35,13 +31,47 @@ fn an_error_begins_with_file_line_and_column() {
 }
 
 #[test]
+fn what_is_no_json_is_said_with_its_place_once() {
+    for (document, message) in [
+        (
+            "{\"format\": \"gridworld\",\n \"width\": 08}",
+            "2:12: found “08”, expected a number such as 3 or 0.5",
+        ),
+        (
+            "{\"format\": 1,\n\n  \"format\": 2}",
+            "3:10: found the key \"format\" for the second time, expected each key once",
+        ),
+        ("{}\n}", "2:1: found “}” after the document, expected the end of the text"),
+    ] {
+        let ran = mo_copp(document, &["solve", "-"]);
+        assert_eq!((ran.code, ran.err), (2, format!("mo-copp: -:{message}\n")));
+    }
+}
+
+#[test]
+fn what_is_not_utf_8_is_said_with_its_place() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let file = folder.join("not-utf-8");
+    let name = file.to_str().unwrap();
+    for (bytes, place, byte) in [
+        (&b"caf\xe9"[..], "1:4", "0xE9"),
+        (b"{\"format\":\n \"\xc3\xa9\xff\"}", "2:4", "0xFF"),
+        (b"\n\xc3", "2:1", "0xC3"),
+    ] {
+        std::fs::write(&file, bytes).unwrap();
+        for arguments in [&["solve", name][..], &["plan", name, name]] {
+            let ran = mo_copp("", arguments);
+            let message =
+                format!("mo-copp: {name}:{place}: found the byte {byte}, expected UTF-8 text\n");
+            assert_eq!((ran.code, ran.err), (2, message), "{arguments:?}");
+        }
+    }
+}
+
+#[test]
 fn gridworld_documents() {
     let cases: &[Case] = &[
-        (
-            "{\"format\"",
-            "{format",
-            "line 1, column 2: found “format”, expected a key in double quotes",
-        ),
+        ("{\"format\"", "{format", "found “format”, expected a key in double quotes"),
         (
             "\"gridworld\"",
             "\"chess\"",
@@ -110,7 +140,7 @@ fn gridworld_documents() {
         (
             "\"width\": 8",
             "\"width\": 8, \"width\": 9",
-            "line 1, column 43: found the key \"width\" for the second time, expected each key once",
+            "found the key \"width\" for the second time, expected each key once",
         ),
         (
             "\"start\": [0, 7]",
@@ -299,7 +329,7 @@ fn what_is_too_large_is_refused_before_memory_runs_out() {
     let ran = mo_copp(&long, &["solve", "-"]);
     assert_eq!((ran.code, ran.out.as_str()), (2, ""));
     assert_eq!(ran.err, "mo-copp: -: found more than 32 MiB, expected at most that\n");
-    let plan = "north,south,".repeat(6000);
+    let plan = "north,south,".repeat(5999) + "north,south";
     let ran = mo_copp(GRID, &["trace", "-", "--plan", &plan]);
     assert_eq!(ran.code, 2);
     assert_eq!(
@@ -309,7 +339,7 @@ fn what_is_too_large_is_refused_before_memory_runs_out() {
     let blind = GRID
         .replace("\"width\": 8, \"height\": 8", "\"width\": 99, \"height\": 99")
         .replace("horizontal", "vertical");
-    let plan = "north,south,".repeat(1200);
+    let plan = "north,south,".repeat(1199) + "north,south";
     let ran = mo_copp(&blind, &["trace", "-", "--plan", &plan]);
     assert_eq!((ran.code, ran.out.as_str()), (3, ""), "{}", ran.err);
     assert!(ran.err.starts_with("mo-copp: trace limit reached at step "), "{}", ran.err);

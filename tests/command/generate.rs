@@ -79,3 +79,15 @@ fn sizes_are_heeded_and_bad_ones_refused() {
         assert!(ran.err.contains(message), "{arguments:?}: {}", ran.err);
     }
 }
+
+#[test]
+fn problems_drawn_before_are_counted() {
+    let notes = [
+        (["gridworld", "3"], "1 problem without a plan was"),
+        (["gridworld", "8"], "3 problems without a plan were"),
+    ];
+    for ([domain, seed], note) in notes {
+        let ran = mo_copp("", &["generate", domain, "--seed", seed]);
+        assert_eq!(ran.err, format!("mo-copp: note: {note} drawn before this one\n"));
+    }
+}

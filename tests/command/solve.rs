@@ -71,6 +71,34 @@ fn pareto_lists_the_pairs_sorted() {
 }
 
 #[test]
+fn pairs_found_before_a_limit_are_kept() {
+    let boxes = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/box-pushing.json");
+    let options = ["solve", boxes, "--pareto", "--expansion-limit", "20000"];
+    let ran = mo_copp("", &[&options[..], &["--json"]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let json = ran.json();
+    // No plan can have a greater difference, however many are left.
+    assert_eq!((&json["status"], &json["goal_difference"]), (&json!("optimal"), &json!(1.0)));
+    assert_eq!(json["limit"], "expansion limit reached: 20000");
+    let pairs = json["pareto"].as_array().unwrap();
+    assert_eq!(pairs.len(), 2, "{pairs:?}");
+    assert_eq!(pairs[1]["plan"], json["plan"]);
+    assert_eq!(json["pareto_complete"], false);
+    let text = mo_copp("", &options).out;
+    assert!(text.starts_with(
+        "optimal: no plan of any length has a greater goal difference\nstopped: expansion limit"
+    ));
+    assert!(text.contains("\npairs found so far, not all (goals left to"), "{text}");
+    let few = mo_copp(GRID, &["solve", "-", "--pareto", "--expansion-limit", "3", "--json"]).json();
+    assert_eq!((&few["status"], &few["pareto_complete"]), (&json!("feasible"), &json!(false)));
+    assert_eq!(few["pareto"].as_array().unwrap().len(), 1, "{few}");
+    let none = mo_copp(GRID, &["solve", "-", "--pareto", "--memory-limit", "0", "--json"]).json();
+    assert_eq!((&none["pareto"], &none["pareto_complete"]), (&json!([]), &json!(false)));
+    let whole = mo_copp(EXPLICIT, &["solve", "-", "--pareto", "--json"]).json();
+    assert!(whole["pareto"].is_array() && whole.get("pareto_complete").is_none());
+}
+
+#[test]
 fn no_plan_is_exit_code_1_and_null() {
     for options in [
         &["--horizon", "0"][..],

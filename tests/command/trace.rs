@@ -88,3 +88,58 @@ fn operators_of_pddl_are_read_as_other_planners_write_them() {
     assert_eq!(ran.code, 2);
     assert!(ran.err.contains("(pick-up z)"), "{}", ran.err);
 }
+
+#[test]
+fn every_step_is_said_in_full() {
+    let expected = "expected an action of this problem: north, south, east, west\n";
+    for (plan, step, found) in [
+        ("north,,north", 2, "nothing"),
+        ("north,", 2, "nothing"),
+        ("north, ,north", 2, "nothing"),
+        (",", 1, "nothing"),
+        ("(north", 1, "\"(north\""),
+    ] {
+        let ran = mo_copp(GRID, &["trace", "-", "--plan", plan]);
+        let message = format!("mo-copp: the plan fails: step {step}: found {found}, {expected}");
+        assert_eq!((ran.code, ran.err), (2, message), "{plan}");
+    }
+    let blocks = mo_copp("", &["generate", "blocksworld", "--seed", "1"]).out;
+    for plan in ["(pick-up a", "pick-up a)", "((pick-up a))", "pick-up a,(stack a e"] {
+        let ran = mo_copp(&blocks, &["trace", "-", "--plan", plan]);
+        let step = plan.matches(',').count() + 1;
+        assert_eq!(ran.code, 2, "{plan}");
+        let begin = format!("mo-copp: the plan fails: step {step}: found \"");
+        assert!(ran.err.starts_with(&begin), "{}", ran.err);
+    }
+    let ran = mo_copp(GRID, &["trace", "-", "--plan", " "]);
+    assert!(ran.out.starts_with("start: ") && !ran.out.contains("step 1"), "{}", ran.out);
+}
+
+#[test]
+fn names_may_hold_commas_and_begin_and_end_with_blanks() {
+    const NAMES: &str = r#"{"format": "explicit", "states": ["s0", "s1"],
+        "actions": ["a", "b", "a,b", " c ", "c", "c,a"],
+        "transitions": [["s0", "a", "s0"], ["s0", "b", "s0"], ["s0", "a,b", "s0"], ["s0", " c ", "s0"],
+                        ["s0", "c", "s1"], ["s1", "a", "s1"], ["s1", "c,a", "s0"]],
+        "initial_state": "s0", "true_goal": "G1",
+        "goals": [{"name": "G1", "states": ["s1"]}, {"name": "G2", "states": ["s0"]}],
+        "observers": {"adversarial": {"sensor": SENSOR}, "cooperative": {"sensor": SENSOR}}}"#;
+    const SENSOR: &str = r#"[["a", "s0", "x"], ["b", "s0", "x"], ["a,b", "s0", "x"], [" c ", "s0", "x"],
+        ["c", "s1", "x"], ["a", "s1", "x"], ["c,a", "s0", "x"]]"#;
+    let document = NAMES.replace("SENSOR", SENSOR);
+    let steps = |arguments: &[&str]| {
+        let ran = mo_copp(&document, &[&["trace", "-", "--json"], arguments].concat());
+        let json = ran.json();
+        let steps = json["steps"].as_array().unwrap_or_else(|| panic!("{}", ran.err)).clone();
+        let names = steps[1..].iter().map(|step| step["action"].as_str().unwrap().to_owned());
+        names.collect::<Vec<String>>()
+    };
+    assert_eq!(steps(&["--plan", "a,b"]), ["a,b"]);
+    assert_eq!(steps(&["--plan", "b,a"]), ["b", "a"]);
+    assert_eq!(steps(&["--plan", "a,b,b, a , c ,c,c,a"]), ["a,b", "b", "a", " c ", "c", "c,a"]);
+    let path = std::env::temp_dir().join(format!("mo-copp-names-{}", std::process::id()));
+    std::fs::write(&path, "a,b\r\n\n c \n  a \n c \r\nc\n").unwrap();
+    let read = steps(&["--plan-file", path.to_str().unwrap()]);
+    std::fs::remove_file(&path).unwrap();
+    assert_eq!(read, ["a,b", " c ", "a", " c ", "c"]);
+}

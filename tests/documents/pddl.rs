@@ -206,6 +206,20 @@ fn rules() {
             "observers.adversarial.sensor[0].operator, line 1, column 15: found the undeclared type \"chamber\", expected a type of the domain: object, room, letter; or a group: envelope",
         ),
         (
+            Put(
+                "/observers/adversarial/sensor/0/operator",
+                "\"(walk ?x ?y - (either envelope letter))\"",
+            ),
+            "observers.adversarial.sensor[0].operator, line 1, column 15: found \"(either …)\", expected a group with a room",
+        ),
+        (
+            Put(
+                "/observers/adversarial/sensor/0/operator",
+                "\"(walk ?x ?y - (either envelope chamber))\"",
+            ),
+            "observers.adversarial.sensor[0].operator, line 1, column 32: found the undeclared type \"chamber\", expected a type of the domain: object, room, letter; or a group: envelope",
+        ),
+        (
             Put("/observers/adversarial/sensor/0/operator", "\"(walk ?x ?x - room)\""),
             "observers.adversarial.sensor[0].operator, line 1, column 15: found a type behind \"?x\" for the second time, expected none there",
         ),
@@ -429,6 +443,33 @@ fn a_pattern_with_objects_variables_and_groups() {
         "red hall",
     ];
     assert_eq!(symbols, expected);
+}
+
+#[test]
+fn a_pattern_with_either_of_groups_and_types() {
+    let rules = r#"[
+        {"operator": "(take ?l - (either paper crate) ?room)", "symbol": "a thing"},
+        {"operator": "(leave ?l - (either PAPER room) ?room)", "symbol": "blue"},
+        {"operator": "(walk ?x ?to - (either paper room))", "symbol": "steps"},
+        {"operator": "*", "symbol": "{name}"}]"#;
+    let text = changed(
+        example(),
+        &Put("/observers/cooperative/groups", r#"{"crate": ["red"], "paper": ["blue"]}"#),
+    );
+    let mut document: serde_json::Value = serde_json::from_str(&text).unwrap();
+    document["observers"]["cooperative"]["sensor"] = serde_json::from_str(rules).unwrap();
+    let problem = problem(&document.to_string());
+    let plan = [
+        "(walk hall office)",
+        "(take blue office)",
+        "(take red office)",
+        "(leave blue office)",
+        "(leave red office)",
+    ];
+    let trace = traced(&problem, &plan);
+    let symbols: Vec<&str> =
+        trace.steps[1..].iter().map(|step| step.symbols[1].as_deref().unwrap()).collect();
+    assert_eq!(symbols, ["steps", "a thing", "a thing", "blue", "leave"]);
 }
 
 /// A rule without a result is not asked for where the results leave nothing out.

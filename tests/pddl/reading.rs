@@ -408,6 +408,25 @@ fn mistakes_in_a_task() {
         ),
         (
             "(at t hq)",
+            "(at t hq) (at 5 (at t hq))",
+            &format!(
+                "line 3, column 19: found \"(at …)\", which needs :timed-initial-literals, expected {read}"
+            ),
+        ),
+        (
+            "(at t hq)",
+            "(at 5.5 (not (at t hq)))",
+            &format!(
+                "line 3, column 9: found \"(at …)\", which needs :timed-initial-literals, expected {read}"
+            ),
+        ),
+        (
+            "(at t hq)",
+            "(at 5 hq)",
+            "line 3, column 13: found the undeclared object \"5\", expected an object or a constant: hq, t, a, b",
+        ),
+        (
+            "(at t hq)",
             "(and (at t hq))",
             "line 3, column 10: found the undeclared predicate \"and\", expected a predicate of the domain: at, ready, road, labelled",
         ),

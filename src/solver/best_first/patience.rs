@@ -15,9 +15,10 @@ use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::exact::prospects::{Prospects, Verdict};
 use crate::solver::outcome::{Progress, Stats, Status};
 
-/// Few searches that find a plan at all expand more nodes in a small state space, and the tables of
-/// prospects cost more than so many.
-const EXPANSIONS: u64 = 2_000;
+/// How many nodes the search may take up from its open list, whether it expands them, puts them off
+/// to a later round or drops them; so there are fewer expansions. Few searches that find a plan at
+/// all take up more in a small state space, and the tables of prospects cost more than so many.
+const TAKEN_UP: u64 = 2_000;
 
 /// A search, and what takes its turn.
 pub(in crate::solver) struct Patient<E> {
@@ -28,7 +29,7 @@ pub(in crate::solver) struct Patient<E> {
 }
 
 enum Stage {
-    /// So many expansions of patience are left.
+    /// So many nodes may still be taken up.
     Searching(u64),
     Hoping(Box<Prospects>),
     /// The search alone goes on; prospects took this.
@@ -38,7 +39,7 @@ enum Stage {
 impl<E: Engine> Patient<E> {
     /// The search is for plans of all lengths.
     pub(in crate::solver) fn new(problem: Arc<Problem>, options: &Options, search: E) -> Self {
-        let stage = Stage::Searching(EXPANSIONS);
+        let stage = Stage::Searching(TAKEN_UP);
         Self { problem, options: options.clone(), search, stage }
     }
 

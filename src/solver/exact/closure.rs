@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::pairs::Pairs;
+use super::pairs::{Pairs, stopped};
 use super::way::shortest_way;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Node, Problem};
@@ -22,6 +22,8 @@ const EXPANSIONS_BETWEEN_CHECKS: usize = 64;
 pub(in crate::solver) struct Closure {
     joint: JointSpace,
     bounds: Bounds,
+    /// No plan can be worth more.
+    most: i64,
     pareto: bool,
     live: Option<Live>,
     tree: SearchTree<Node>,
@@ -34,10 +36,12 @@ impl Closure {
     pub(in crate::solver) fn new(problem: Arc<Problem>, options: &Options) -> Self {
         let mut joint = JointSpace::new(problem, options.limits);
         let tree = SearchTree::new(joint.initial());
+        let bounds = options.heeded_bounds();
         Self {
+            most: bounds.most_difference(joint.problem()),
             joint,
             tree,
-            bounds: options.heeded_bounds(),
+            bounds,
             pareto: options.pareto,
             live: None,
             next: 0,
@@ -69,10 +73,10 @@ impl Closure {
         self.pairs.finding(self.pareto, |index| self.tree.plan(index))
     }
 
-    /// Nothing can beat a plan that leaves every goal to the enemy and one to the friend.
+    /// Whether no plan is worth more than the best one met.
     fn cannot_be_beaten(&self) -> bool {
-        let most = self.joint.problem().goals().len() as i64 - 1;
-        !self.pareto && self.pairs.best().is_some_and(|(counts, _)| counts.difference() == most)
+        let best = self.pairs.best();
+        !self.pareto && best.is_some_and(|(counts, _)| counts.difference() == self.most)
     }
 
     fn work(&mut self, live: &Live, budget: u64) -> Result<bool, LimitReached> {
@@ -118,9 +122,14 @@ impl Engine for Closure {
     }
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
-        let best = self.pairs.best().map(|(_, index)| self.tree.plan(index));
-        let way = || shortest_way(&mut self.joint, self.live.as_ref()?, &self.bounds);
-        Finding::stopped(best.or_else(way), limit)
+        if self.pairs.best().is_some() {
+            return self
+                .pairs
+                .stopped(self.pareto, self.most, limit, |index| self.tree.plan(index));
+        }
+        let live = self.live.as_ref();
+        let way = live.and_then(|live| shortest_way(&mut self.joint, live, &self.bounds));
+        stopped(way, self.most, limit)
     }
 
     fn report(&self, progress: &mut Progress) {

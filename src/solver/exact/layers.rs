@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use super::pairs::{Pairs, allowed};
+use super::pairs::{Pairs, allowed, stopped};
 use crate::limits::LimitReached;
-use crate::plan::Plan;
 use crate::problem::{JointSpace, Node, Problem};
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::live::LiveLayers;
-use crate::solver::outcome::{Progress, Stats};
+use crate::solver::outcome::{ParetoPoint, Progress, Stats};
 use crate::solver::tree::SearchTree;
 use crate::solver::{Bounds, Options};
 use crate::task::Action;
@@ -98,7 +97,7 @@ impl Layers {
         &mut self,
         index: usize,
         room: &mut usize,
-    ) -> Result<Option<(i64, Plan)>, LimitReached> {
+    ) -> Result<Option<ParetoPoint>, LimitReached> {
         let Some(live) = &self.live else { return Ok(None) };
         let mut plan = self.tree.plan(index);
         let mut node = self.tree.key(index);
@@ -121,7 +120,7 @@ impl Layers {
         }
         let counts = self.joint.counts(node.profile);
         let fits = allowed(&mut self.joint, &self.bounds, node.profile, counts);
-        Ok(fits.then(|| (counts.difference(), plan)))
+        Ok(fits.then_some(ParetoPoint { counts, plan }))
     }
 }
 
@@ -163,18 +162,24 @@ impl Engine for Layers {
     }
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
-        let mut best: Option<(i64, Plan)> = None;
+        let mut points: Vec<ParetoPoint> = Vec::new();
         let mut room = STATES_ON_STOP;
         let stride = self.layer.len().div_ceil(FINISHED_ON_STOP).max(1);
         for index in self.layer.clone().step_by(stride) {
             let Ok(followed) = self.follow(index, &mut room) else { break };
-            if let Some((difference, plan)) = followed
-                && best.as_ref().is_none_or(|(known, _)| difference > *known)
+            if let Some(point) = followed
+                && points.iter().all(|known| known.counts != point.counts)
             {
-                best = Some((difference, plan));
+                points.push(point);
             }
         }
-        Finding::stopped(best.map(|(_, plan)| plan), limit)
+        // Of equal ones the first.
+        let best = points.iter().rev().max_by_key(|point| point.counts.difference());
+        let most = self.bounds.most_difference(self.joint.problem());
+        let mut finding = stopped(best.cloned(), most, limit);
+        points.sort_unstable_by_key(|point| point.counts);
+        finding.pareto = self.pareto.then_some(points);
+        finding
     }
 
     fn report(&self, progress: &mut Progress) {

@@ -107,8 +107,9 @@ impl Engine for Lengths {
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
         self.note();
-        let best = self.pairs.best().map(|(_, node)| self.graph.shortest(node));
-        let mut finding = Finding::stopped(best, limit);
+        let most = self.bounds.most_difference(self.joint.problem());
+        let mut finding =
+            self.pairs.stopped(self.pareto, most, limit, |node| self.graph.shortest(node));
         finding.lengths = Some(self.points(self.graph.length()));
         finding
     }

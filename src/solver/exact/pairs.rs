@@ -1,5 +1,6 @@
 //! The reachable pairs of survivor counts, each with the first node found for it.
 
+use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, ProfileId, SurvivorCounts};
 use crate::solver::Bounds;
@@ -47,9 +48,39 @@ impl Pairs {
             Some((_, node)) => Finding::plan(Status::Optimal, plan(node)),
             None => Finding::infeasible(),
         };
-        let point = |&(counts, node): &_| ParetoPoint { counts, plan: plan(node) };
-        finding.pareto = pareto.then(|| self.first.iter().map(point).collect());
+        finding.pareto = pareto.then(|| self.points(plan));
         finding
+    }
+
+    /// What can be said when the work stops before everything has been looked at. `most` is the
+    /// difference that no plan can beat.
+    pub(super) fn stopped(
+        &self,
+        pareto: bool,
+        most: i64,
+        limit: LimitReached,
+        plan: impl Fn(usize) -> Plan,
+    ) -> Finding {
+        let best = self.best().map(|(counts, node)| ParetoPoint { counts, plan: plan(node) });
+        let mut finding = stopped(best, most, limit);
+        finding.pareto = pareto.then(|| self.points(plan));
+        finding
+    }
+
+    fn points(&self, plan: impl Fn(usize) -> Plan) -> Vec<ParetoPoint> {
+        let point = |&(counts, node): &_| ParetoPoint { counts, plan: plan(node) };
+        self.first.iter().map(point).collect()
+    }
+}
+
+/// What can be said of the best plan known when the work stops. `most` is the difference that no
+/// plan can beat.
+pub(super) fn stopped(best: Option<ParetoPoint>, most: i64, limit: LimitReached) -> Finding {
+    match best {
+        Some(ParetoPoint { counts, plan }) if counts.difference() == most => {
+            Finding::stopped_at_best(plan, limit)
+        }
+        best => Finding::stopped(best.map(|best| best.plan), limit),
     }
 }
 

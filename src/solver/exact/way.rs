@@ -5,12 +5,17 @@ use crate::plan::Plan;
 use crate::problem::JointSpace;
 use crate::solver::Bounds;
 use crate::solver::live::Live;
+use crate::solver::outcome::ParetoPoint;
 
 /// No more believed states than this are gone through: who stops does not want to wait.
 const MOST_STATES: usize = 4_000_000;
 
 /// A shortest way to the true goal, where that keeps the bounds and memory lasts.
-pub(super) fn shortest_way(joint: &mut JointSpace, live: &Live, bounds: &Bounds) -> Option<Plan> {
+pub(super) fn shortest_way(
+    joint: &mut JointSpace,
+    live: &Live,
+    bounds: &Bounds,
+) -> Option<ParetoPoint> {
     let mut node = joint.initial();
     let mut plan = Plan::default();
     let mut room = MOST_STATES;
@@ -28,5 +33,5 @@ pub(super) fn shortest_way(joint: &mut JointSpace, live: &Live, bounds: &Bounds)
         node = next;
     }
     let counts = joint.counts(node.profile);
-    allowed(joint, bounds, node.profile, counts).then_some(plan)
+    allowed(joint, bounds, node.profile, counts).then_some(ParetoPoint { counts, plan })
 }

@@ -263,7 +263,7 @@ impl Prospects {
     /// A plan for who stops here, where there is one at hand.
     pub(in crate::solver) fn stop(&mut self) -> Option<Plan> {
         let known = self.shortest.take();
-        known.or_else(|| shortest_way(&mut self.joint, &self.live, &self.bounds))
+        known.or_else(|| Some(shortest_way(&mut self.joint, &self.live, &self.bounds)?.plan))
     }
 
     /// What the work took so far.
