@@ -53,7 +53,6 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "problem",
             "report",
             "solver",
-            "task",
             "trace",
         ],
     ),

@@ -120,7 +120,7 @@ export class Tradeoff {
     } else {
       const all = await solve({ pareto: true });
       if (all === null) return;
-      if (all.status === "optimal" || all.status === "infeasible") {
+      if (hasAllPairs(all)) {
         const points = all.pareto ?? [];
         this.pairs.value = { document, points, upTo: null };
         longest = shortest(points) + asked.extra;
@@ -130,7 +130,7 @@ export class Tradeoff {
         longest = (all.plan?.length ?? 0) + asked.extra;
         const some = await solve({ pareto: true, lengths: Math.min(MOST_LENGTHS, longest) });
         if (some === null) return;
-        const upTo = some.status === "optimal" || some.status === "infeasible" ? longest : 0;
+        const upTo = hasAllPairs(some) ? longest : 0;
         this.pairs.value = { document, points: some.pareto ?? [], upTo };
       }
     }
@@ -176,3 +176,7 @@ export class Tradeoff {
 
 const shortest = (points: readonly Pair[]): number =>
   points.length === 0 ? 0 : Math.min(...points.map(({ plan }) => plan.length));
+
+/** A plan may be proved the best while there are pairs that nobody has met. */
+const hasAllPairs = ({ status, pareto_complete }: Solved): boolean =>
+  (status === "optimal" || status === "infeasible") && pareto_complete !== false;
