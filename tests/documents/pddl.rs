@@ -403,6 +403,15 @@ fn sensors_and_beliefs_are_those_worked_out_by_hand() {
     assert_eq!(trace.goal_difference(&problem), 1.0);
 }
 
+/// What the friend of the example is told in a plan, by rules over groups.
+fn friends_symbols(rules: &str, groups: &'static str, plan: &[&str]) -> Vec<String> {
+    let text = changed(example(), &Put("/observers/cooperative/groups", groups));
+    let mut document: serde_json::Value = serde_json::from_str(&text).unwrap();
+    document["observers"]["cooperative"]["sensor"] = serde_json::from_str(rules).unwrap();
+    let trace = traced(&problem(&document.to_string()), plan);
+    trace.steps[1..].iter().map(|step| step.symbols[1].clone().unwrap()).collect()
+}
+
 #[test]
 fn a_pattern_with_objects_variables_and_groups() {
     let rules = r#"[
@@ -412,13 +421,7 @@ fn a_pattern_with_objects_variables_and_groups() {
          "symbol": "{name} {2}, red is here"},
         {"operator": "(LEAVE blue ?ROOM - room)", "symbol": "{{{?room}}}"},
         {"operator": "*", "symbol": "{arguments}"}]"#;
-    let text = changed(
-        example(),
-        &Put("/observers/cooperative/groups", r#"{"public": ["office"], "paper": ["blue"]}"#),
-    );
-    let mut document: serde_json::Value = serde_json::from_str(&text).unwrap();
-    document["observers"]["cooperative"]["sensor"] = serde_json::from_str(rules).unwrap();
-    let problem = problem(&document.to_string());
+    let groups = r#"{"public": ["office"], "paper": ["blue"]}"#;
     let plan = [
         "(walk hall office)",
         "(take blue office)",
@@ -429,9 +432,6 @@ fn a_pattern_with_objects_variables_and_groups() {
         "(walk archive hall)",
         "(leave red hall)",
     ];
-    let trace = traced(&problem, &plan);
-    let symbols: Vec<&str> =
-        trace.steps[1..].iter().map(|step| step.symbols[1].as_deref().unwrap()).collect();
     let expected = [
         "from the hall to public",
         "take public, red is here",
@@ -442,7 +442,7 @@ fn a_pattern_with_objects_variables_and_groups() {
         "archive hall",
         "red hall",
     ];
-    assert_eq!(symbols, expected);
+    assert_eq!(friends_symbols(rules, groups, &plan), expected);
 }
 
 #[test]
@@ -452,13 +452,7 @@ fn a_pattern_with_either_of_groups_and_types() {
         {"operator": "(leave ?l - (either PAPER room) ?room)", "symbol": "blue"},
         {"operator": "(walk ?x ?to - (either paper room))", "symbol": "steps"},
         {"operator": "*", "symbol": "{name}"}]"#;
-    let text = changed(
-        example(),
-        &Put("/observers/cooperative/groups", r#"{"crate": ["red"], "paper": ["blue"]}"#),
-    );
-    let mut document: serde_json::Value = serde_json::from_str(&text).unwrap();
-    document["observers"]["cooperative"]["sensor"] = serde_json::from_str(rules).unwrap();
-    let problem = problem(&document.to_string());
+    let groups = r#"{"crate": ["red"], "paper": ["blue"]}"#;
     let plan = [
         "(walk hall office)",
         "(take blue office)",
@@ -466,10 +460,8 @@ fn a_pattern_with_either_of_groups_and_types() {
         "(leave blue office)",
         "(leave red office)",
     ];
-    let trace = traced(&problem, &plan);
-    let symbols: Vec<&str> =
-        trace.steps[1..].iter().map(|step| step.symbols[1].as_deref().unwrap()).collect();
-    assert_eq!(symbols, ["steps", "a thing", "a thing", "blue", "leave"]);
+    let expected = ["steps", "a thing", "a thing", "blue", "leave"];
+    assert_eq!(friends_symbols(rules, groups, &plan), expected);
 }
 
 /// A rule without a result is not asked for where the results leave nothing out.
