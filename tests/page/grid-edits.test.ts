@@ -1,9 +1,9 @@
 // Edits of grid documents, without a browser: what each does, and that the core takes whatever comes of them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { carry, type Drag, draggedTo, stroke } from "../../www/src/edit/drag.js";
-import { paintOf, pieceAt, tools } from "../../www/src/edit/tools.js";
+import { paintOf, pieceAt, tools } from "../../www/src/gesture/tools.js";
 import { between, everyCell } from "../../www/src/problem/cells.js";
+import { carry, type Drag, draggedTo, stroke } from "../../www/src/problem/drag.js";
 import * as cells from "../../www/src/problem/grid-cells.js";
 import * as goals from "../../www/src/problem/grid-goals.js";
 import * as sensor from "../../www/src/problem/grid-sensor.js";

@@ -2,9 +2,9 @@
 // takes.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { carry, draggedTo, stroke } from "../../www/src/edit/drag.js";
-import { pieceAt } from "../../www/src/edit/tools.js";
+import { pieceAt } from "../../www/src/gesture/tools.js";
 import { everyCell } from "../../www/src/problem/cells.js";
+import { carry, draggedTo, stroke } from "../../www/src/problem/drag.js";
 import { setWall } from "../../www/src/problem/grid-cells.js";
 import { addGoal, removeGoal } from "../../www/src/problem/grid-goals.js";
 import { moveThing } from "../../www/src/problem/pose-cells.js";

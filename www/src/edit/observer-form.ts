@@ -1,5 +1,6 @@
 // What an observer of a grid is told and believes at first: symbols, cameras, first belief.
 import { html, type TemplateResult } from "lit";
+import { take } from "../gesture/tools.js";
 import {
   beliefOf,
   believeEverywhere,
@@ -15,7 +16,6 @@ import type { Tool } from "../state/editing.js";
 import type { Playground } from "../state/playground.js";
 import { called } from "../view/observers.js";
 import { attempt, type Edited, presetField, textField } from "./fields.js";
-import { take } from "./tools.js";
 
 const titles = Object.fromEntries(Object.entries(gridPresets).map(([name, { title }]) => [name, title])) as Record<
   GridPreset,

@@ -1,8 +1,8 @@
 // The tools, always at hand above the boards, and what takes edits back.
 import { html, type TemplateResult } from "lit";
+import { take, toolInHand, toolNames, toolsFor } from "../gesture/tools.js";
 import type { Playground } from "../state/playground.js";
 import { tools as icons } from "./icons.js";
-import { take, toolInHand, toolNames, toolsFor } from "./tools.js";
 
 export function toolbar(playground: Playground): TemplateResult | "" {
   const { history, scene, canReset, mode } = playground;

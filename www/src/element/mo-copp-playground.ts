@@ -1,11 +1,11 @@
 // <mo-copp-playground>: the whole playground as one element. It renders into the document itself, so that a course
 // page's styles and checks reach its parts by the stable attributes. docs/embedding.md lists attributes and events.
 import { html, nothing, type TemplateResult } from "lit";
-import { held } from "../edit/held.js";
-import { shortcut } from "../edit/shortcuts.js";
 import { toolbar } from "../edit/toolbar.js";
 import { galleryMenu } from "../gallery/menu.js";
 import { problemBar } from "../gallery/problem-bar.js";
+import { held } from "../gesture/held.js";
+import { shortcut } from "../gesture/shortcuts.js";
 import { exampleDocument } from "../problem/example.js";
 import { Address } from "../share/address.js";
 import { LinkCopier } from "../share/copy-link.js";

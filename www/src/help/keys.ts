@@ -1,5 +1,5 @@
 // Every key that the page listens to. Whoever adds a key adds it here.
-import { boardKeys } from "../edit/keys.js";
+import { boardKeys } from "../gesture/keys.js";
 
 export interface KeyGroup {
   title: string;

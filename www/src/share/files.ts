@@ -1,5 +1,6 @@
 // Documents as files: opening one, and saving the one that is open.
 import type { Playground } from "../state/playground.js";
+import { download } from "../view/download.js";
 
 /** No problem that can be drawn is larger; a file by mistake should not stall the page. */
 const LARGEST_FILE = 2_000_000;
@@ -23,16 +24,5 @@ export async function openFile(playground: Playground, file: File): Promise<bool
 export function saveFile(playground: Playground): void {
   const document_ = playground.document.value;
   if (document_ === null) return;
-  const address = URL.createObjectURL(new Blob([document_.text], { type: "application/json" }));
-  download(address, `${playground.gallery.current.value?.name ?? "problem"}.json`);
-}
-
-/** Offers what stands at an address made by `createObjectURL` as a file. */
-export function download(address: string, name: string): void {
-  const link = document.createElement("a");
-  link.href = address;
-  link.download = name;
-  link.click();
-  // The browser may read it after the click has been handled.
-  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+  download(document_.text, "application/json", `${playground.gallery.current.value?.name ?? "problem"}.json`);
 }

@@ -1,9 +1,9 @@
 // The goal difference at the step shown, and what it is made of.
 import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
-import { bestPossible, isImpossible } from "../solve/best-possible.js";
 import type { Playground } from "../state/playground.js";
 import { shortNumber } from "../view/numbers.js";
+import { bestPossible, isImpossible } from "./best-possible.js";
 
 export function goalDifference(playground: Playground): TemplateResult | "" {
   const scene = playground.scene.value;

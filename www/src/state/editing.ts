@@ -1,7 +1,7 @@
 // What the person's hands are doing: the tool in them, what is being dragged, where the keyboard's cursor is. Nothing of
 // this is part of the problem; the playground hears of an edit when it is made.
 import { signal } from "@preact/signals-core";
-import type { Drag } from "../edit/drag.js";
+import type { Drag } from "../problem/drag.js";
 import type { Cell, Role } from "../problem/types.js";
 
 export type Tool = "move" | "walls" | "belief" | "cameras";

@@ -1,6 +1,6 @@
 // The playground's state, all in one place, and what can be done to it. Views read the signals and call the actions.
 import { Gallery } from "../gallery/gallery.js";
-import { Draft } from "../share/draft.js";
+import { Draft } from "../text/draft.js";
 import { Adviser } from "./adviser.js";
 import { Comparison } from "./comparison.js";
 import { Editing } from "./editing.js";

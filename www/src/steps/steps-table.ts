@@ -1,8 +1,8 @@
 // The table of the steps: what the boards show, in words and numbers. Choosing a row shows its step.
 import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
-import { download } from "../share/files.js";
 import type { Playground } from "../state/playground.js";
+import { download } from "../view/download.js";
 import { shortNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
 import { csv } from "./csv.js";
@@ -78,6 +78,5 @@ const MOST_NAMES = 8;
 function save({ timeline, gallery }: Playground): void {
   const trace = timeline.trace.value;
   if (trace === null) return;
-  const address = URL.createObjectURL(new Blob([csv(trace)], { type: "text/csv" }));
-  download(address, `${gallery.current.value?.name ?? "problem"}-steps.csv`);
+  download(csv(trace), "text/csv", `${gallery.current.value?.name ?? "problem"}-steps.csv`);
 }

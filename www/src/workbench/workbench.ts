@@ -28,7 +28,7 @@ export const tabs: readonly Tab[] = [
   {
     name: "document",
     title: "Document",
-    panel: lazy(async () => (await import("../share/document-form.js")).documentForm),
+    panel: lazy(async () => (await import("../text/document-form.js")).documentForm),
   },
 ];
 

@@ -3,9 +3,9 @@
 import { nothing, svg } from "lit";
 import type { State, Trace } from "../../core.js";
 import { sameCell } from "../../problem/cells.js";
+import { RING } from "../../view/goal-place.js";
 import type { BoardName } from "../board-input.js";
 import { type Cell, cellOf, type GridScene, keyOf } from "./cells.js";
-import { RING } from "./goal-place.js";
 
 /** Where goals stand as well, the start is a ring around them. */
 export function start(cell: Cell, goals: readonly { cell: Cell }[], scale: number) {

@@ -1,21 +1,22 @@
 // One board: the same cells, walls and goals for everyone, and on top what this board is about. It can be edited by hand
-// and by keyboard (edit/).
+// and by keyboard (gesture/).
 import { html, nothing, svg, type TemplateResult } from "lit";
 import type { State } from "../../core.js";
-import { boardMarks } from "../../edit/board-marks.js";
-import { boardBlur, boardFocus, boardKey } from "../../edit/keys.js";
-import { boardPointer } from "../../edit/pointer.js";
-import { toolInHand } from "../../edit/tools.js";
+import { boardMarks } from "../../gesture/board-marks.js";
+import { boardBlur, boardFocus, boardKey } from "../../gesture/keys.js";
+import { boardPointer } from "../../gesture/pointer.js";
+import { toolInHand } from "../../gesture/tools.js";
 import type { Size } from "../../problem/cells.js";
 import type { Playground } from "../../state/playground.js";
 import { called } from "../../view/observers.js";
+import { enlarged, isLarge } from "../../view/scale.js";
 import type { BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
 import { agent, path, start } from "./agent.js";
 import { cellLayer } from "./cell-layer.js";
 import { type Cell, cellOf, type GridInput, keysOf } from "./cells.js";
 import { goalMarks } from "./goal.js";
-import { cameraCorners, camerasOn, dots, enlarged, floorSquares, isLarge, squares } from "./marks.js";
+import { cameraCorners, camerasOn, dots, floorSquares, squares } from "./marks.js";
 
 /** Room for strokes at the edge, in cells. */
 const MARGIN = 0.06;

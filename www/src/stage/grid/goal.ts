@@ -2,12 +2,12 @@
 // for that observer, hollow and struck through when it is ruled out. On the agent's board it has a mark for each: a
 // diamond for the enemy, a disc for the friend, filled while the goal is possible for them. The true goal has a star.
 import { nothing, svg } from "lit";
+import { type Place, placeOf } from "../../view/goal-place.js";
 import { starPath } from "../../view/icons.js";
 import type { BoardName } from "../board-input.js";
 import type { GoalView } from "../goal-attributes.js";
 import { goalInWords, marks } from "../goal-marks.js";
 import type { Cell } from "./cells.js";
-import { type Place, placeOf } from "./goal-place.js";
 
 const LONGEST_LABEL = 3;
 

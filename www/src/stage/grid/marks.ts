@@ -8,14 +8,6 @@ import { type Cell, cellOf, keyOf } from "./cells.js";
 
 const DOT = 0.1;
 
-/** From so many cells on, all that look alike are drawn as one: a browser takes long to paint thousands of shapes. */
-const MANY = 400;
-
-export const isLarge = ({ width, height }: Size): boolean => width * height > MANY;
-
-/** By how much what stands in a cell is drawn larger than the cell, so that it stays readable. */
-export const enlarged = ({ width, height }: Size): number => Math.max(1, Math.max(width, height) / 14);
-
 /** The squares of cells. */
 export const squares = (cells: readonly Cell[]): string =>
   cells.map(([column, row]) => `M${column + 0.03} ${row + 0.03}h.94v.94h-.94z`).join("");

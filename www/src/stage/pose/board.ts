@@ -1,17 +1,18 @@
 // A board of a robot on a grid: the cells and goals of every grid, and on top what the domain adds.
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from "lit";
-import { boardMarks } from "../../edit/board-marks.js";
-import { boardBlur, boardFocus, boardKey } from "../../edit/keys.js";
-import { boardPointer } from "../../edit/pointer.js";
+import { boardMarks } from "../../gesture/board-marks.js";
+import { boardBlur, boardFocus, boardKey } from "../../gesture/keys.js";
+import { boardPointer } from "../../gesture/pointer.js";
 import type { Cell } from "../../problem/types.js";
 import type { Playground } from "../../state/playground.js";
+import { enlarged, isLarge } from "../../view/scale.js";
 import type { BoardInput, BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
 import { start } from "../grid/agent.js";
 import { boardClasses } from "../grid/board.js";
 import { cellLayer } from "../grid/cell-layer.js";
 import { goalMarks } from "../grid/goal.js";
-import { dots, enlarged, isLarge, squares } from "../grid/marks.js";
+import { dots, squares } from "../grid/marks.js";
 import { believedCells, keysOfCells, type PoseScene } from "./scene.js";
 
 const MARGIN = 0.06;

@@ -1,10 +1,10 @@
 // What is in a cell, for those who do not see the boards.
 import { hasCell, sameCell } from "../problem/cells.js";
+import type { Drag } from "../problem/drag.js";
 import { beliefOf, camerasOf, isWall } from "../problem/grid-cells.js";
 import { things } from "../problem/pose-cells.js";
 import type { Cell, FloorDocument } from "../problem/types.js";
-import type { BoardName } from "../stage/board-input.js";
-import type { Drag } from "./drag.js";
+import type { BoardName } from "../view/observers.js";
 
 const place = ([column, row]: Cell): string => `column ${column}, row ${row}`;
 

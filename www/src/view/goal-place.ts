@@ -1,6 +1,6 @@
 // Where the mark of a goal stands: in the middle of its cell, or beside the others that share the cell.
-import { sameCell } from "../../problem/cells.js";
-import type { Cell } from "../../problem/types.js";
+import { sameCell } from "../problem/cells.js";
+import type { Cell } from "../problem/types.js";
 
 export interface Place {
   x: number;

@@ -1,11 +1,11 @@
 // Editing a board with the keyboard: the arrow keys move a cursor, and what stands under it is changed in place.
 import { inside } from "../problem/cells.js";
+import { carry, isPainted, type Paint, stroke } from "../problem/drag.js";
 import { isWall, setBelieved, setCamera, setWall } from "../problem/grid-cells.js";
 import { addGoal, goalAt, removeGoal } from "../problem/grid-goals.js";
 import type { Cell, FloorDocument } from "../problem/types.js";
-import type { BoardName } from "../stage/board-input.js";
 import type { Playground } from "../state/playground.js";
-import { carry, isPainted, type Paint, stroke } from "./drag.js";
+import type { BoardName } from "../view/observers.js";
 import { begin, finish, goTo, takeBack } from "./dragging.js";
 import { carriedInWords, cellInWords, pieceName } from "./spoken.js";
 import { editable, paintOf, pieceAt, roleOf, toolInHand } from "./tools.js";

@@ -1,9 +1,9 @@
 // The problem as its document: typed, pasted, read from a file, or saved as one.
 import { html, nothing, type TemplateResult } from "lit";
+import { openFile, saveFile } from "../share/files.js";
 import type { Playground } from "../state/playground.js";
-import { newMenu } from "../text/new-menu.js";
-import { TextTab, type View } from "../text/text-tab.js";
-import { openFile, saveFile } from "./files.js";
+import { newMenu } from "./new-menu.js";
+import { TextTab, type View } from "./text-tab.js";
 
 /** The fields stay with their playground, with the cursor and all that can be undone in them. */
 const tabs = new WeakMap<Playground, TextTab>();

@@ -1,6 +1,6 @@
 // A drag, from the first cell to the last: a piece that is carried, or a stroke of a brush. It starts from one document
 // and knows the document that it has made so far; what it is shown with, and by which device, is no matter of its own.
-import { between, hasCell, sameCell } from "../problem/cells.js";
+import { between, hasCell, sameCell } from "./cells.js";
 import {
   beliefOf,
   camerasOf,
@@ -11,9 +11,9 @@ import {
   setBelieved,
   setCamera,
   setWall,
-} from "../problem/grid-cells.js";
-import { moveThing, type Thing } from "../problem/pose-cells.js";
-import type { Cell, FloorDocument, Role } from "../problem/types.js";
+} from "./grid-cells.js";
+import { moveThing, type Thing } from "./pose-cells.js";
+import type { Cell, FloorDocument, Role } from "./types.js";
 
 /** What can be carried. */
 export type Piece =

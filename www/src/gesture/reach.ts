@@ -1,13 +1,13 @@
 // From a point on the screen to a cell of a board, and to the piece that a hand which aims there means.
 
 import { inside, sameCell } from "../problem/cells.js";
+import type { Piece } from "../problem/drag.js";
 import { wallsOf } from "../problem/grid-cells.js";
 import { things } from "../problem/pose-cells.js";
 import type { Cell, FloorDocument } from "../problem/types.js";
-import type { BoardName } from "../stage/board-input.js";
-import { goalNear, RING } from "../stage/grid/goal-place.js";
-import { enlarged } from "../stage/grid/marks.js";
-import type { Piece } from "./drag.js";
+import { goalNear, RING } from "../view/goal-place.js";
+import type { BoardName } from "../view/observers.js";
+import { enlarged } from "../view/scale.js";
 import { pieceAt } from "./tools.js";
 
 /** Half of the smallest target that can be hit with ease, in pixels: cells may be smaller. */

@@ -1,8 +1,8 @@
 // Editing a board with a mouse, a pen or a finger.
 import { inside } from "../problem/cells.js";
-import type { BoardName } from "../stage/board-input.js";
+import { carry, type Drag, stroke } from "../problem/drag.js";
 import type { Playground } from "../state/playground.js";
-import { carry, type Drag, stroke } from "./drag.js";
+import type { BoardName } from "../view/observers.js";
 import { begin, finish, goTo, takeBack } from "./dragging.js";
 import { cellAt, grasped, pointIn } from "./reach.js";
 import { editable, paintOf, toolInHand } from "./tools.js";

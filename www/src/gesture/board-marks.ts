@@ -1,7 +1,7 @@
 // What editing draws on a board: the keyboard's cursor, and where that which is dragged is now.
 import { nothing, svg } from "lit";
-import type { BoardName } from "../stage/board-input.js";
 import type { Playground } from "../state/playground.js";
+import type { BoardName } from "../view/observers.js";
 
 export function boardMarks(board: BoardName, { editing }: Playground) {
   const cursor = editing.cursor.value;

@@ -1,8 +1,8 @@
 // A drag and the playground: it is shown with its best plan while it goes on, made when it ends, or taken back.
 import { sameCell } from "../problem/cells.js";
+import { type Drag, draggedTo } from "../problem/drag.js";
 import type { Cell } from "../problem/types.js";
 import type { Playground } from "../state/playground.js";
-import { type Drag, draggedTo } from "./drag.js";
 
 export function begin(playground: Playground, drag: Drag): void {
   playground.editing.drag.value = drag;

@@ -1,14 +1,14 @@
 // The tools: what each is for, and what it takes hold of on which board.
 
 import { sameCell } from "../problem/cells.js";
+import type { Paint, Piece } from "../problem/drag.js";
 import { isWall } from "../problem/grid-cells.js";
 import { goalAt } from "../problem/grid-goals.js";
 import { things } from "../problem/pose-cells.js";
 import type { FloorDocument, ProblemDocument, Role } from "../problem/types.js";
-import type { BoardName } from "../stage/board-input.js";
 import type { Cursor, Tool } from "../state/editing.js";
 import type { Playground } from "../state/playground.js";
-import type { Paint, Piece } from "./drag.js";
+import type { BoardName } from "../view/observers.js";
 
 export const toolNames: Record<Tool, { title: string; about: string }> = {
   move: {
