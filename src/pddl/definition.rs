@@ -76,7 +76,8 @@ pub fn read_open_task(domain: &Domain, text: &str) -> Result<(TaskDefinition, bo
     let mut all = domain.constants.clone();
     objects.map_or(Ok(()), |items| all.read(&domain.types, items))?;
     let scope = scope(domain, &all);
-    let initial = initial.map_or_else(|| Ok(Vec::new()), |items| state(&scope, items))?;
+    let initial =
+        initial.map_or_else(|| Ok(Vec::new()), |items| Ok(literals(&scope, items, true)?.0))?;
     let has_goal = goal.is_some();
     let goal = match goal.map(|mut goal| (goal.next(), goal.next())) {
         None => Condition::default(),
@@ -123,8 +124,36 @@ pub fn read_state(
     task: &TaskDefinition,
     text: &str,
 ) -> Result<Vec<Atom>, PddlError> {
+    Ok(read_literals(domain, task, text)?.0)
+}
+
+/// Reads ground literals as they stand in an `:init`, one after the other, as in
+/// `(on a b) (not (clear b))`: the atoms that hold and those that do not, both sorted.
+///
+/// # Errors
+///
+/// [`PddlError`] with the place in this text.
+pub fn read_literals(
+    domain: &Domain,
+    task: &TaskDefinition,
+    text: &str,
+) -> Result<(Vec<Atom>, Vec<Atom>), PddlError> {
     let tree = Tree::read(text)?;
-    state(&scope(domain, &task.objects), tree.expressions())
+    literals(&scope(domain, &task.objects), tree.expressions(), true)
+}
+
+/// Reads ground atoms, one after the other, as in `(on a b) (clear a)`. Sorted.
+///
+/// # Errors
+///
+/// [`PddlError`] with the place in this text, also for a negated atom.
+pub fn read_atoms(
+    domain: &Domain,
+    task: &TaskDefinition,
+    text: &str,
+) -> Result<Vec<Atom>, PddlError> {
+    let tree = Tree::read(text)?;
+    Ok(literals(&scope(domain, &task.objects), tree.expressions(), false)?.0)
 }
 
 fn scope<'a>(domain: &'a Domain, objects: &'a Objects) -> Scope<'a> {
@@ -139,14 +168,22 @@ fn is_timed(mut items: Expressions<'_>) -> bool {
         && items.next().is_some_and(|literal| literal.list().is_some())
 }
 
-/// The atoms of a state. A negated one says nothing new, but must not contradict the others.
-fn state(scope: &Scope<'_>, items: Expressions<'_>) -> Result<Vec<Atom>, PddlError> {
+/// The atoms that hold and those that do not. A negated one must not contradict the others; none may
+/// be there where `negation` is not allowed.
+fn literals(
+    scope: &Scope<'_>,
+    items: Expressions<'_>,
+    negation: bool,
+) -> Result<(Vec<Atom>, Vec<Atom>), PddlError> {
     const EXPECTED: &str = "an atom, as in (on a b)";
     let mut atoms = Vec::new();
     let mut negated: Vec<(Expression<'_>, Atom)> = Vec::new();
     for item in items {
         let (head, mut items) = item.headed(EXPECTED)?;
         if head.is("not") {
+            if !negation {
+                return Err(item.expected(EXPECTED));
+            }
             let (Some(inner), None) = (items.next(), items.next()) else {
                 return Err(item.expected("(not …) with one atom"));
             };
@@ -170,10 +207,12 @@ fn state(scope: &Scope<'_>, items: Expressions<'_>) -> Result<Vec<Atom>, PddlErr
     atoms.sort_unstable();
     atoms.dedup();
     let positive: FxHashSet<&Atom> = atoms.iter().collect();
-    match negated.iter().find(|(_, atom)| positive.contains(atom)) {
-        None => Ok(atoms),
-        Some((place, _)) => {
-            Err(place.wrong(format!("{} beside the atom itself", place.shown()), "one of them"))
-        }
+    if let Some((place, _)) = negated.iter().find(|(_, atom)| positive.contains(atom)) {
+        let found = format!("{} beside the atom itself", place.shown());
+        return Err(place.wrong(found, "one of them"));
     }
+    let mut negated: Vec<Atom> = negated.into_iter().map(|(_, atom)| atom).collect();
+    negated.sort_unstable();
+    negated.dedup();
+    Ok((atoms, negated))
 }

@@ -26,6 +26,15 @@ pub struct Domain {
     pub schemas: Vec<Schema>,
 }
 
+impl Domain {
+    /// The predicates that actions change, by their numbers, some of them several times.
+    pub fn changing(&self) -> impl Iterator<Item = usize> {
+        let effects = self.schemas.iter().map(|schema| &schema.effect);
+        let atoms = effects.flat_map(|effect| effect.positive.iter().chain(&effect.negative));
+        atoms.map(|atom| atom.predicate.index())
+    }
+}
+
 /// Reads a domain.
 ///
 /// # Errors

@@ -111,6 +111,15 @@ impl Grounded {
         &self.instances[action.index()].1
     }
 
+    /// Whether an atom holds in every reachable state (true) or in none (false); none where that
+    /// changes. `task` is what was grounded.
+    pub fn constant(&self, task: &TaskDefinition, atom: &Atom) -> Option<bool> {
+        let positive = self.atoms.partition_point(|(_, negated)| !negated);
+        let known = self.atoms[..positive].binary_search_by(|(fact, _)| fact.cmp(atom));
+        // What never changes is as it is at first, whichever of the initial states that is.
+        known.is_err().then(|| task.initial.binary_search(atom).is_ok())
+    }
+
     /// The atom of a fact, and whether the fact is that it does not hold. None for the fact that
     /// never holds.
     pub fn atom(&self, fact: Fact) -> Option<(&Atom, bool)> {

@@ -22,6 +22,7 @@ mod error;
 mod exclusive;
 mod expression;
 mod feature;
+mod fit;
 mod ground;
 mod invariant;
 mod join;
@@ -34,10 +35,14 @@ mod reach;
 mod rule;
 mod schema;
 mod types;
+mod unchanging;
 
 pub use atom::{Atom, LiftedAtom, Term};
 pub use condition::Condition;
-pub use definition::{TaskDefinition, read_condition, read_open_task, read_state, read_task};
+pub use definition::{
+    TaskDefinition, read_atoms, read_condition, read_literals, read_open_task, read_state,
+    read_task,
+};
 pub use domain::{Domain, read_domain};
 pub use error::PddlError;
 pub use expression::{MAX_BYTES, MAX_DEPTH};
@@ -52,3 +57,4 @@ pub use pattern::{Group, Pattern};
 pub use predicate::{PredicateId, Predicates};
 pub use schema::{MAX_PARAMETERS, Parameters, Schema};
 pub use types::{MAX_ALTERNATIVES, MAX_TYPES, TypeId, TypeSet, Types};
+pub use unchanging::unchanging;

@@ -146,20 +146,23 @@ impl Pattern {
         let mut arguments = Vec::with_capacity(count);
         for (position, typed) in items.iter().enumerate() {
             let types = schema.parameters.shared_types(position as u32);
-            let argument = pattern.argument(domain, task, groups, typed, (position, types))?;
+            let first = |place: usize| items.get(place);
+            let argument =
+                pattern.argument(domain, task, groups, typed, (position, types), first)?;
             arguments.push(argument);
         }
         pattern.arguments = Some(arguments);
         Ok(pattern)
     }
 
-    fn argument(
+    fn argument<'t>(
         &mut self,
         domain: &Domain,
         task: &TaskDefinition,
         groups: &[Group],
-        typed: &Typed<'_>,
+        typed: &Typed<'t>,
         (position, wanted): (usize, &Arc<TypeSet>),
+        item: impl Fn(usize) -> Option<&'t Typed<'t>>,
     ) -> Result<Argument, PddlError> {
         let place = typed.item;
         let expected = || domain.types.written(wanted);
@@ -172,11 +175,14 @@ impl Pattern {
         }
         let name = place.variable()?;
         if let Some(variable) = self.variables.position(&name) {
-            if let Some(kind) = typed.kind {
+            let first = self.places[variable as usize];
+            // In `?x ?x - room` one dash types both.
+            let same_dash = item(first).is_some_and(|first| first.is_typed_as(typed));
+            if let Some(kind) = typed.kind.filter(|_| !same_dash) {
                 let found = format!("a type behind {} for the second time", place.shown());
                 return Err(kind.wrong(found, "none there"));
             }
-            return Ok(Argument::Same(self.places[variable as usize]));
+            return Ok(Argument::Same(first));
         }
         let kind = match typed.kind {
             None => Kind::Anything,
@@ -214,15 +220,27 @@ impl Pattern {
 
     /// Whether an operator matches.
     pub fn matches(&self, task: &TaskDefinition, schema: usize, objects: &[ObjectId]) -> bool {
-        let fits = |(argument, object): (&Argument, &ObjectId)| match argument {
-            Argument::Object(wanted) => wanted == object,
-            Argument::Same(other) => objects.get(*other) == Some(object),
-            Argument::Variable(Kind::Anything) => true,
-            Argument::Variable(Kind::Types(types)) => task.objects.types(*object).is_within(types),
-            Argument::Variable(Kind::Group(group)) => group.binary_search(object).is_ok(),
-        };
         self.schema.is_none_or(|wanted| wanted == schema)
-            && self.arguments.iter().all(|wanted| wanted.iter().zip(objects).all(fits))
+            && (0..objects.len())
+                .all(|place| self.allows(task, place, objects[place], &objects[..place]))
+    }
+
+    /// Whether an object may stand in a place, after those in the places before it.
+    pub(super) fn allows(
+        &self,
+        task: &TaskDefinition,
+        place: usize,
+        object: ObjectId,
+        before: &[ObjectId],
+    ) -> bool {
+        let argument = self.arguments.as_ref().and_then(|arguments| arguments.get(place));
+        argument.is_none_or(|argument| match argument {
+            Argument::Object(wanted) => *wanted == object,
+            Argument::Same(other) => before.get(*other) == Some(&object),
+            Argument::Variable(Kind::Anything) => true,
+            Argument::Variable(Kind::Types(types)) => task.objects.types(object).is_within(types),
+            Argument::Variable(Kind::Group(group)) => group.binary_search(&object).is_ok(),
+        })
     }
 
     /// Reads a condition over the pattern's variables and the objects of the task.

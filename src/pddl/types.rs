@@ -343,7 +343,7 @@ impl<'t> Typed<'t> {
     }
 
     /// Whether the types of two items are written by the same dash, or by none.
-    fn is_typed_as(&self, other: &Typed<'_>) -> bool {
+    pub(super) fn is_typed_as(&self, other: &Typed<'_>) -> bool {
         match (self.kind, other.kind) {
             (None, None) => true,
             (Some(one), Some(other)) => one.is_same(other),

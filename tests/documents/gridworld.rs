@@ -141,6 +141,10 @@ fn keys_walls_and_goals() {
         (Put("/stay", "\"yes\""), "stay: found \"yes\", expected true or false"),
         (Put("/stay", "1"), "stay: found 1, expected true or false"),
         (
+            Put("/observers/cooperative/sensor/stay", "\"s\""),
+            "observers.cooperative.sensor.stay: found \"s\", expected nothing, since the agent may not stay",
+        ),
+        (
             Put("/stay", "true"),
             "observers.adversarial.sensor.stay: found nothing, expected the symbol the observer sees, since the agent may stay",
         ),

@@ -8,6 +8,7 @@ mod fuzz;
 mod gridworld;
 mod json;
 pub mod pddl;
+mod pddl_leniency;
 mod places;
 mod robots;
 mod round_trip;

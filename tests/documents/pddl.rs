@@ -220,8 +220,8 @@ fn rules() {
             "observers.adversarial.sensor[0].operator, line 1, column 32: found the undeclared type \"chamber\", expected a type of the domain: object, room, letter; or a group: envelope",
         ),
         (
-            Put("/observers/adversarial/sensor/0/operator", "\"(walk ?x ?x - room)\""),
-            "observers.adversarial.sensor[0].operator, line 1, column 15: found a type behind \"?x\" for the second time, expected none there",
+            Put("/observers/adversarial/sensor/0/operator", "\"(walk ?x - room ?x - room)\""),
+            "observers.adversarial.sensor[0].operator, line 1, column 22: found a type behind \"?x\" for the second time, expected none there",
         ),
         (
             Put("/observers/adversarial/sensor/0/operator", "\"(walk ?x ?y\""),

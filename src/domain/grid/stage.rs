@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{Cell, Floor, GridGoal, GridObserver};
 use crate::document::DocumentError;
+use crate::document::json::quoted;
 use crate::domain::Observers;
 use crate::domain::observers::{true_goal, unexpected};
 use crate::problem::{Goal, Observer, Problem, Role, StateLabel, StateNaming};
@@ -78,6 +79,21 @@ impl<S: Pose> Stage<'_, S> {
     ) -> Result<(), DocumentError> {
         for (role, observer) in self.observers.iter() {
             observer.sensor.check(&format!("observers.{}", role.name()), actions, why)?;
+        }
+        Ok(())
+    }
+
+    /// No observer may have a symbol for an action that is never possible.
+    pub(in crate::domain) fn check_no_symbol(
+        &self,
+        action: &str,
+        expected: &str,
+    ) -> Result<(), DocumentError> {
+        for (role, observer) in self.observers.iter() {
+            if let Some(symbol) = observer.sensor.get(action) {
+                let path = format!("observers.{}.sensor.{action}", role.name());
+                return Err(DocumentError::invalid(path, quoted(symbol), expected));
+            }
         }
         Ok(())
     }

@@ -25,6 +25,8 @@ impl Gridworld {
         let true_goal = stage.check(&MOVES)?;
         if self.stay {
             stage.check_symbols(&[STAY], ", since the agent may stay")?;
+        } else {
+            stage.check_no_symbol(STAY, "nothing, since the agent may not stay")?;
         }
         let fact = |cell: Cell| Fact::new(floor.index(cell));
         let task = self.task(&floor, true_goal.cell)?;

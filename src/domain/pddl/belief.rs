@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use fixedbitset::FixedBitSet;
 
-use super::build::{Texts, at};
-use super::{PddlBelief, PddlObserver, PddlState};
+use super::build::{Texts, at, limit};
+use super::{Pddl, PddlBelief, PddlObserver, PddlState};
 use crate::document::DocumentError;
-use crate::pddl::{Atom, Domain, Grounded, More, read_condition, read_state};
+use crate::pddl::{
+    Atom, Grounded, More, read_atoms, read_condition, read_literals, read_state, unchanging,
+};
 use crate::task::{State, StateId, StateSpace};
 
 /// The most atoms in all listed states of an observer.
@@ -31,6 +33,7 @@ impl Believed {
     pub(super) fn read(
         observer: &PddlObserver,
         texts: &Texts,
+        fixed: &Fixed,
         path: &str,
         more: &mut More,
     ) -> Result<Self, DocumentError> {
@@ -57,7 +60,6 @@ impl Believed {
                 Ok(Self::Reachable(more.conditions.len() - 1))
             }
             Some(PddlBelief::States(states)) => {
-                let fixed = Fixed::new(texts);
                 let begin = more.states.len();
                 let mut atoms = 0;
                 for (index, state) in states.iter().enumerate() {
@@ -118,21 +120,48 @@ impl Believed {
     }
 }
 
-/// Which predicates no action changes.
-struct Fixed(FixedBitSet);
+/// What no action changes.
+pub(super) struct Fixed {
+    predicates: FixedBitSet,
+    /// The atoms of the initial state that no action changes, sorted.
+    atoms: Vec<Atom>,
+}
 
 impl Fixed {
-    fn new(texts: &Texts) -> Self {
-        let mut fixed = FixedBitSet::with_capacity(texts.domain.predicates.len());
-        fixed.insert_range(..);
-        for predicate in changing(&texts.domain) {
-            fixed.remove(predicate);
+    /// Looks through the actions. Where observers list the atoms of states, also actions count that
+    /// can apply only there.
+    pub(super) fn new(pddl: &Pddl, texts: &Texts) -> Result<Self, DocumentError> {
+        let mut predicates = FixedBitSet::with_capacity(texts.domain.predicates.len());
+        predicates.insert_range(..);
+        for predicate in texts.domain.changing() {
+            predicates.remove(predicate);
         }
-        Self(fixed)
+        let initial = &texts.task.initial;
+        let of_fixed = |atom: &Atom| predicates.contains(atom.predicate.index());
+        let mut listed: Option<Vec<Atom>> = None;
+        for (_, observer) in pddl.observers.iter() {
+            let Some(PddlBelief::States(states)) = &observer.initial_belief else { continue };
+            for state in states {
+                let (PddlState::Atoms(texts_of_atoms)
+                | PddlState::Change { add: texts_of_atoms, .. }) = state;
+                let all = listed.get_or_insert_default();
+                for text in texts_of_atoms {
+                    // What cannot be read is told where the states are read.
+                    all.extend(read_state(&texts.domain, &texts.task, text).unwrap_or_default());
+                }
+            }
+        }
+        let atoms = match listed {
+            Some(listed) if !initial.iter().all(of_fixed) => {
+                unchanging(&texts.domain, &texts.task, &listed).map_err(|error| limit(&error))?
+            }
+            _ => initial.iter().filter(|atom| of_fixed(atom)).cloned().collect(),
+        };
+        Ok(Self { predicates, atoms })
     }
 
     fn holds(&self, atom: &Atom) -> bool {
-        self.0.contains(atom.predicate.index())
+        self.predicates.contains(atom.predicate.index())
     }
 
     /// All atoms of a listed state, sorted.
@@ -144,14 +173,7 @@ impl Fixed {
     ) -> Result<Vec<Atom>, DocumentError> {
         let initial = &texts.task.initial;
         let mut atoms: Vec<Atom> = match state {
-            PddlState::Atoms(listed) => {
-                let check = |atom: &Atom| {
-                    let known = !self.holds(atom) || initial.binary_search(atom).is_ok();
-                    (!known).then_some("an atom of a predicate that no action changes")
-                };
-                let listed = read(texts, listed, path, "only those that are in the :init", check)?;
-                initial.iter().filter(|atom| self.holds(atom)).cloned().chain(listed).collect()
-            }
+            PddlState::Atoms(listed) => self.listed(texts, listed, path)?,
             PddlState::Change { add, delete } => {
                 let fixed = "an atom of a predicate that no action changes";
                 let check = |there: bool, atom: &Atom| match initial.binary_search(atom).is_ok() {
@@ -160,11 +182,8 @@ impl Fixed {
                     false if there => Some("an atom that does not hold in the initial state"),
                     _ => None,
                 };
-                let expected = "an atom that makes a difference";
-                let place = format!("{path}.delete");
-                let gone = read(texts, delete, &place, expected, |atom| check(true, atom))?;
-                let place = format!("{path}.add");
-                let new = read(texts, add, &place, expected, |atom| check(false, atom))?;
+                let gone = read(texts, delete, &format!("{path}.delete"), |a| check(true, a))?;
+                let new = read(texts, add, &format!("{path}.add"), |atom| check(false, atom))?;
                 let stays = |atom: &&Atom| gone.binary_search(atom).is_err();
                 initial.iter().filter(stays).cloned().chain(new).collect()
             }
@@ -173,29 +192,59 @@ impl Fixed {
         atoms.dedup();
         Ok(atoms)
     }
+
+    /// The atoms listed, and those that no action changes where the list does not deny them.
+    fn listed(
+        &self,
+        texts: &Texts,
+        listed: &[String],
+        path: &str,
+    ) -> Result<Vec<Atom>, DocumentError> {
+        let initial = &texts.task.initial;
+        let mut atoms = Vec::with_capacity(listed.len());
+        let mut denied = Vec::new();
+        for (index, text) in listed.iter().enumerate() {
+            let path = format!("{path}[{index}]");
+            let literals = read_literals(&texts.domain, &texts.task, text);
+            let (hold, fail) = literals.map_err(|e| at(&path, e))?;
+            let differs = |atom: &Atom, holds: bool| {
+                self.holds(atom) && initial.binary_search(atom).is_ok() != holds
+            };
+            if hold.iter().any(|atom| differs(atom, true)) || fail.iter().any(|a| differs(a, false))
+            {
+                let found = "an atom of a predicate that no action changes";
+                let expected = "only those that are in the :init";
+                return Err(DocumentError::invalid(path, found, expected));
+            }
+            atoms.extend(hold);
+            denied.extend(fail.into_iter().map(|atom| (atom, index)));
+        }
+        atoms.sort_unstable();
+        denied.sort_unstable();
+        if let Some((_, index)) = denied.iter().find(|(atom, _)| atoms.binary_search(atom).is_ok())
+        {
+            let found = "the negation of an atom that is listed too";
+            return Err(DocumentError::invalid(format!("{path}[{index}]"), found, "one of them"));
+        }
+        let is_denied = |atom: &Atom| denied.binary_search_by(|(other, _)| other.cmp(atom)).is_ok();
+        atoms.extend(self.atoms.iter().filter(|atom| !is_denied(atom)).cloned());
+        Ok(atoms)
+    }
 }
 
-/// The predicates that actions change, by their numbers.
-pub(super) fn changing(domain: &Domain) -> impl Iterator<Item = usize> {
-    let effects = domain.schemas.iter().map(|schema| &schema.effect);
-    let atoms = effects.flat_map(|effect| effect.positive.iter().chain(&effect.negative));
-    atoms.map(|atom| atom.predicate.index())
-}
-
-/// Reads atoms; `check` says what is wrong with one.
+/// Reads atoms that change the initial state; `check` says what is wrong with one.
 fn read(
     texts: &Texts,
     atoms: &[String],
     path: &str,
-    expected: &str,
     check: impl Fn(&Atom) -> Option<&'static str>,
 ) -> Result<Vec<Atom>, DocumentError> {
     let mut all = Vec::with_capacity(atoms.len());
     for (index, text) in atoms.iter().enumerate() {
         let path = format!("{path}[{index}]");
-        let atoms = read_state(&texts.domain, &texts.task, text).map_err(|e| at(&path, e))?;
+        let atoms = read_atoms(&texts.domain, &texts.task, text).map_err(|e| at(&path, e))?;
         if let Some(found) = atoms.iter().find_map(&check) {
-            return Err(DocumentError::invalid(path, found, expected));
+            return Err(DocumentError::invalid(path, found, "an atom that makes a difference"));
         }
         all.extend(atoms);
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Pddl;
-use super::belief::Believed;
+use super::belief::{Believed, Fixed};
 use super::sensor::{Eye, Readings};
 use crate::document::DocumentError;
 use crate::domain::observers::{true_goal, unexpected};
@@ -33,12 +33,13 @@ impl Pddl {
         let true_goal = true_goal(&names, &self.true_goal)?;
         let texts = self.texts(true_goal)?;
         let mut more = More { states: Vec::new(), conditions: texts.goals.clone() };
+        let fixed = Fixed::new(self, &texts)?;
         let mut eyes = Vec::new();
         let mut beliefs = Vec::new();
         for (role, observer) in self.observers.iter() {
             let path = format!("observers.{}", role.name());
             eyes.push(Eye::new(observer, &texts, &path)?);
-            beliefs.push(Believed::read(observer, &texts, &path, &mut more)?);
+            beliefs.push(Believed::read(observer, &texts, &fixed, &path, &mut more)?);
         }
         let (grounded, readings) = grounded(&texts, &mut more, &eyes)?;
         let goals = self.goals.iter().zip(&grounded.conditions).enumerate();
@@ -108,7 +109,7 @@ pub(super) fn at(path: impl Into<String>, error: PddlError) -> DocumentError {
     DocumentError::Pddl { path: path.into(), line, column, found, expected }
 }
 
-fn limit(error: &GroundError) -> DocumentError {
+pub(super) fn limit(error: &GroundError) -> DocumentError {
     DocumentError::invalid("problem", error.to_string(), "a smaller task")
 }
 

@@ -1,13 +1,13 @@
 //! Whether the cases of a sensor leave no resulting state of an operator out.
 //!
-//! Known of the resulting state is what the operator requires and does not delete, what it adds and
-//! what it deletes. For all else both truth values are tried, atom by atom: some case must be certain
+//! Known of the resulting state is what never changes, what the operator requires and does not delete,
+//! what it adds and what it deletes. For all else both truth values are tried, atom by atom: some case must be certain
 //! in the end. That is sound and looks at no reachability, so that cases which cover every reachable
 //! state, but not every state, are refused.
 
 use rustc_hash::FxHashMap;
 
-use crate::pddl::{Atom, Condition, Grounded};
+use crate::pddl::{Atom, Condition, Grounded, TaskDefinition};
 use crate::task::{Fact, Operator};
 
 /// Splits on an atom, at most; with more the cases are said not to cover everything.
@@ -17,8 +17,18 @@ const MAX_SPLITS: u32 = 256;
 type Known<'a> = FxHashMap<&'a Atom, bool>;
 
 /// Whether in every state that the operator can result in one of the conditions holds.
-pub(super) fn covers(grounded: &Grounded, operator: &Operator, cases: &[&Condition]) -> bool {
+pub(super) fn covers(
+    task: &TaskDefinition,
+    grounded: &Grounded,
+    operator: &Operator,
+    cases: &[&Condition],
+) -> bool {
     let mut known = Known::default();
+    for atom in cases.iter().flat_map(|case| case.positive.iter().chain(&case.negative)) {
+        if let Some(holds) = grounded.constant(task, atom) {
+            known.insert(atom, holds);
+        }
+    }
     let mut learn = |facts: &[Fact], holds: bool| {
         for (atom, negated) in facts.iter().filter_map(|&fact| grounded.atom(fact)) {
             known.insert(atom, holds != negated);

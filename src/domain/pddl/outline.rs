@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use super::Pddl;
-use super::belief::changing;
 use crate::document::DocumentError;
 use crate::domain::observers::true_goal;
 use crate::pddl::{Atom, TypeId};
@@ -52,7 +51,7 @@ impl Pddl {
         let texts = self.texts(true_goal(&names, &self.true_goal)?)?;
         let (domain, task) = (&texts.domain, &texts.task);
         let mut changes = vec![false; domain.predicates.len()];
-        for predicate in changing(domain) {
+        for predicate in domain.changing() {
             changes[predicate] = true;
         }
         let predicate = |(id, changes)| OutlinePredicate {

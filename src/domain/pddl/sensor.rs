@@ -114,6 +114,14 @@ impl<'a> Eye<'a> {
             let expected = "a rule that some operator is left for";
             return Err(DocumentError::invalid(path("operator"), found, expected));
         }
+        if !pattern.fits_some(domain, task) {
+            let found = format!("{}, which fits no operator", quoted(operator));
+            return Err(DocumentError::invalid(
+                path("operator"),
+                found,
+                "a rule that some operator fits",
+            ));
+        }
         let result = match result {
             None => None,
             Some(text) => {
@@ -188,7 +196,7 @@ impl<'a> Eye<'a> {
             if !complete {
                 let cases: Vec<&Condition> =
                     tried.iter().map(|&number| &conditions[number as usize]).collect();
-                if covers(grounded, operator, &cases)
+                if covers(&texts.task, grounded, operator, &cases)
                     && let Some((_, symbol)) = reading.cases.pop()
                 {
                     // Where no case before the last one fits, the last one does.

@@ -62,9 +62,13 @@ export function setSymbol(
 /** Whoever has no symbol for staying gets one: their only one where they have no other, else a new one. */
 export function setStay(document: GridworldDocument, stay: boolean): GridworldDocument {
   let changed: GridworldDocument = { ...document, stay };
-  if (!stay) return changed;
   for (const role of ["adversarial", "cooperative"] as const) {
     const { sensor } = document.observers[role];
+    if (!stay) {
+      const { stay: _, ...moves } = sensor;
+      changed = withObserver(changed, role, (observer) => ({ ...observer, sensor: moves }));
+      continue;
+    }
     if (sensor.stay !== undefined) continue;
     const symbols = new Set(Object.values(sensor));
     const [only] = symbols;

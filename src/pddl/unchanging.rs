@@ -1,0 +1,53 @@
+//! Atoms of the initial state that no operator changes.
+
+use rustc_hash::FxHashSet;
+
+use super::atom::Atom;
+use super::definition::TaskDefinition;
+use super::domain::Domain;
+use super::ground::GroundError;
+use super::reach::{instantiate, reach};
+use super::rule::Rule;
+
+/// The atoms of the initial state that no operator adds or deletes which can apply after the
+/// initial state and some further atoms, deletes and negative preconditions ignored. Sorted.
+///
+/// # Errors
+///
+/// [`GroundError`] where a limit is met.
+///
+/// ```
+/// use mo_copp::pddl::{read_domain, read_task, unchanging};
+/// let domain = read_domain(
+///     "(define (domain d) (:constants a b) (:predicates (p ?x)) (:action go :effect (p a)))",
+/// )?;
+/// let task = "(define (problem t) (:domain d) (:init (p a) (p b)) (:goal (p a)))";
+/// let task = read_task(&domain, task)?;
+/// let left = unchanging(&domain, &task, &[])?;
+/// assert_eq!(left, [task.initial[1].clone()]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn unchanging(
+    domain: &Domain,
+    task: &TaskDefinition,
+    more: &[Atom],
+) -> Result<Vec<Atom>, GroundError> {
+    let rules: Vec<Rule<'_>> = (0..domain.schemas.len())
+        .filter_map(|number| Rule::new(domain, number, &task.objects))
+        .collect();
+    let initial: Vec<&Atom> = task.initial.iter().chain(more).collect();
+    let reached = reach(domain, &rules, &task.objects, &initial)?;
+    let mut changed = FxHashSet::default();
+    let mut objects = Vec::new();
+    for instance in &reached.instances {
+        let rule = &rules[instance.rule as usize];
+        for atom in rule.add.iter().chain(&rule.delete) {
+            instantiate(atom, &instance.values, &mut objects);
+            changed.extend(reached.atoms.find(atom.predicate, &objects));
+        }
+    }
+    let stays = |atom: &&Atom| {
+        reached.atoms.find_atom(atom).is_none_or(|number| !changed.contains(&number))
+    };
+    Ok(task.initial.iter().filter(stays).cloned().collect())
+}
