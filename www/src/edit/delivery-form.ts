@@ -20,14 +20,14 @@ import {
   renamePackage,
 } from "../problem/delivery-places.js";
 import type { DeliveryDocument } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
 import { roles } from "../view/observers.js";
 import { deliveryObserverForm } from "./delivery-observer.js";
+import type { FieldStores } from "./fields.js";
 import { attempt, type Edited, faultText, textField } from "./fields.js";
 import { focusBefore } from "./goals-form.js";
 import { cross } from "./icons.js";
 
-export function deliveryForm(playground: Playground, document: DeliveryDocument): TemplateResult {
+export function deliveryForm(playground: FieldStores, document: DeliveryDocument): TemplateResult {
   return html`
     ${document.factories.map((factory, index) => factoryForm(playground, document, factory, index))}
     <div class="actions">
@@ -39,7 +39,7 @@ export function deliveryForm(playground: Playground, document: DeliveryDocument)
 }
 
 function factoryForm(
-  playground: Playground,
+  playground: FieldStores,
   document: DeliveryDocument,
   { name, packages }: DeliveryDocument["factories"][number],
   index: number,
@@ -76,7 +76,7 @@ function factoryForm(
   </fieldset>`;
 }
 
-function whatToDeliver(playground: Playground, document: DeliveryDocument): TemplateResult {
+function whatToDeliver(playground: FieldStores, document: DeliveryDocument): TemplateResult {
   const all = packagesOf(document).length;
   const chosen = trueGoalOf(withTrueGoal(document, trueGoalOf(document))).join(JOINT);
   const value = (event: Event) => (event.target as HTMLSelectElement).value;

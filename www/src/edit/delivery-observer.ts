@@ -11,11 +11,11 @@ import {
   useDeliveryPreset,
 } from "../problem/delivery-sensor.js";
 import type { DeliveryDocument, Role } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
 import { called } from "../view/observers.js";
+import type { FieldStores } from "./fields.js";
 import { attempt, presetField, textField } from "./fields.js";
 
-export function deliveryObserverForm(playground: Playground, document: DeliveryDocument, role: Role): TemplateResult {
+export function deliveryObserverForm(playground: FieldStores, document: DeliveryDocument, role: Role): TemplateResult {
   const load = loadOf(document, role);
   const symbol = (field: string, label: string, name: string, placeholder?: string) =>
     textField(playground, {

@@ -4,16 +4,22 @@ import { guard } from "lit/directives/guard.js";
 import { newGrid } from "../problem/new-grid.js";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
 import { deliveryForm } from "./delivery-form.js";
+import type { FieldStores } from "./fields.js";
 import { gridForm } from "./grid-form.js";
+import type { ObserverFormStores } from "./observer-form.js";
 import { poseForm } from "./pose-form.js";
+
+export type EditPanelStores = FieldStores & ObserverFormStores;
 
 /** The usual size of the paper's gridworlds. */
 const NEW_SIDE = 8;
 
-export function editPanel(playground: Playground): TemplateResult {
-  const { editing, latest } = playground;
+export function editPanel(playground: EditPanelStores): TemplateResult {
+  const {
+    editing,
+    problem: { latest },
+  } = playground;
   const note = editing.note.value;
   // Steps come and go many times a second; they change nothing here.
   const form = guard([latest, editing.fault.value, note], () => {
@@ -26,13 +32,13 @@ export function editPanel(playground: Playground): TemplateResult {
     ${form}
     <p class="note" role="status">${note !== null && note.document === latest ? note.text : ""}</p>
     <div class="actions">
-      <button type="button" @click=${() => playground.open(written(newGrid(NEW_SIDE, NEW_SIDE)))}>New grid</button>
+      <button type="button" @click=${() => playground.edits.open(written(newGrid(NEW_SIDE, NEW_SIDE)))}>New grid</button>
       <small>An empty grid of ${NEW_SIDE} by ${NEW_SIDE} cells with the paper’s observers. Undo brings this problem back.</small>
     </div>
   </div>`;
 }
 
-const asText = (playground: Playground, format: ProblemDocument["format"] | undefined): TemplateResult =>
+const asText = (playground: EditPanelStores, format: ProblemDocument["format"] | undefined): TemplateResult =>
   html`<p>${why[format ?? "explicit"] ?? why.explicit}</p>
     <div class="actions">
       <button type="button" class="primary" @click=${() => playground.workbench.open("document")}>Edit as text</button>

@@ -3,33 +3,47 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { LONGEST_NAME, tidied } from "../problem/names.js";
 import type { ProblemDocument } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
+import type { Editing } from "../state/editing.js";
+import type { Edits } from "../state/edits.js";
+import type { OpenProblem } from "../state/open-problem.js";
+import type { Workbench } from "../state/workbench.js";
+
+export interface FieldStores {
+  editing: Editing;
+  problem: OpenProblem;
+  edits: Edits;
+  workbench: Workbench;
+}
 
 /** An edit, or why there can be none. */
 export type Edited = ProblemDocument | string;
 
 /** Makes an edit, or shows beside a field why not. Resolves to whether it was made. */
-export function attempt(playground: Playground, field: string, edited: Edited, text = ""): boolean {
-  const { editing, latest } = playground;
+export function attempt(playground: FieldStores, field: string, edited: Edited, text = ""): boolean {
+  const {
+    editing,
+    problem: { latest },
+  } = playground;
   if (typeof edited === "string") {
     editing.fault.value = { field, text, message: edited, document: latest };
     return false;
   }
   editing.fault.value = null;
-  if (edited !== latest) playground.apply(edited);
+  if (edited !== latest) playground.edits.apply(edited);
   return true;
 }
 
 /** What was typed for the document that is open and could not be taken. */
-function faultOf({ editing, latest }: Playground, field: string) {
+function faultOf({ editing, problem: { latest } }: FieldStores, field: string) {
   const fault = editing.fault.value;
   return fault !== null && fault.field === field && fault.document === latest ? fault : null;
 }
 
-const faultId = ({ workbench }: Playground, field: string): string => `${workbench.id}-fault-${field}`;
+const faultId = ({ workbench }: Pick<FieldStores, "workbench">, field: string): string =>
+  `${workbench.id}-fault-${field}`;
 
 /** Why the last edit there could not be made. */
-export function faultText(playground: Playground, field: string): TemplateResult | typeof nothing {
+export function faultText(playground: FieldStores, field: string): TemplateResult | typeof nothing {
   const fault = faultOf(playground, field);
   return fault === null
     ? nothing
@@ -49,7 +63,7 @@ interface TextField {
   save: (text: string) => Edited;
 }
 
-export function textField(playground: Playground, options: TextField): TemplateResult {
+export function textField(playground: FieldStores, options: TextField): TemplateResult {
   const { field, label, bare, value, placeholder, list, save } = options;
   const fault = faultOf(playground, field);
   const change = (event: Event) => {
@@ -77,7 +91,7 @@ interface NumberField {
   save: (value: number) => Edited;
 }
 
-export function numberField(playground: Playground, options: NumberField): TemplateResult {
+export function numberField(playground: FieldStores, options: NumberField): TemplateResult {
   const { field, label, value, least, most, save } = options;
   const fault = faultOf(playground, field);
   const change = (event: Event) => {

@@ -3,11 +3,11 @@ import { html, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { addGoal, chooseTrueGoal, removeGoal, renameGoal } from "../problem/grid-goals.js";
 import type { FloorDocument } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
+import type { FieldStores } from "./fields.js";
 import { attempt, faultText, textField } from "./fields.js";
 import { cross } from "./icons.js";
 
-export function goalsForm(playground: Playground, document: FloorDocument): TemplateResult {
+export function goalsForm(playground: FieldStores, document: FloorDocument): TemplateResult {
   return html`<fieldset>
     <legend>Candidate goals</legend>
     <small>The enemy and the friend know them all; only the agent knows which one is true.</small>

@@ -4,13 +4,13 @@ import { live } from "lit/directives/live.js";
 import { setStay, symbolsOf } from "../problem/grid-sensor.js";
 import { LARGEST_SIDE, resized, SMALLEST_SIDE } from "../problem/grid-size.js";
 import type { GridworldDocument } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
 import { roles } from "../view/observers.js";
+import type { FieldStores } from "./fields.js";
 import { attempt, numberField } from "./fields.js";
 import { goalsForm } from "./goals-form.js";
-import { observerForm } from "./observer-form.js";
+import { type ObserverFormStores, observerForm } from "./observer-form.js";
 
-export function gridForm(playground: Playground, document: GridworldDocument): TemplateResult {
+export function gridForm(playground: ObserverFormStores, document: GridworldDocument): TemplateResult {
   return html`
     <fieldset>
       <legend>Grid</legend>
@@ -30,7 +30,7 @@ export function gridForm(playground: Playground, document: GridworldDocument): T
   `;
 }
 
-function side(playground: Playground, document: GridworldDocument, key: "width" | "height", label: string) {
+function side(playground: FieldStores, document: GridworldDocument, key: "width" | "height", label: string) {
   const save = (value: number) => {
     const size = { width: document.width, height: document.height, [key]: value };
     const fitted = resized(document, size.width, size.height);

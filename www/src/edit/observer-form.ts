@@ -13,16 +13,21 @@ import {
 import { type GridPreset, gridPresets, movesOf, presetOf, setSymbol, usePreset } from "../problem/grid-sensor.js";
 import type { GridworldDocument, Role } from "../problem/types.js";
 import type { Tool } from "../state/editing.js";
-import type { Playground } from "../state/playground.js";
+import type { Timeline } from "../state/timeline.js";
 import { called } from "../view/observers.js";
+import type { FieldStores } from "./fields.js";
 import { attempt, type Edited, presetField, textField } from "./fields.js";
+
+export interface ObserverFormStores extends FieldStores {
+  timeline: Timeline;
+}
 
 const titles = Object.fromEntries(Object.entries(gridPresets).map(([name, { title }]) => [name, title])) as Record<
   GridPreset,
   string
 >;
 
-export function observerForm(playground: Playground, document: GridworldDocument, role: Role): TemplateResult {
+export function observerForm(playground: ObserverFormStores, document: GridworldDocument, role: Role): TemplateResult {
   const { sensor } = document.observers[role];
   const cells = (count: number) => (count === 1 ? "1 cell" : `${count} cells`);
   const watched = camerasOf(document, role).filter((cell) => isFree(document, cell)).length;

@@ -1,7 +1,7 @@
 // Editing box pushing and the recycling robot: the goals here, what stands on the floor by hand on the boards.
 import { html, type TemplateResult } from "lit";
 import type { PoseDocument } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
+import type { FieldStores } from "./fields.js";
 import { goalsForm } from "./goals-form.js";
 
 const things: Record<PoseDocument["format"], string> = {
@@ -9,7 +9,7 @@ const things: Record<PoseDocument["format"], string> = {
   "recycling-robot": "the robot, the can, the charger and the bins",
 };
 
-export function poseForm(playground: Playground, document: PoseDocument): TemplateResult {
+export function poseForm(playground: FieldStores, document: PoseDocument): TemplateResult {
   return html`<p>Drag ${things[document.format]} on the boards, and walls on the agent’s; the tool Walls builds them.</p>
     ${goalsForm(playground, document)}
     <div class="actions">

@@ -1,11 +1,19 @@
 // The tools, always at hand above the boards, and what takes edits back.
 import { html, type TemplateResult } from "lit";
+import type { ToolStores } from "../gesture/tools.js";
 import { take, toolInHand, toolNames, toolsFor } from "../gesture/tools.js";
-import type { Playground } from "../state/playground.js";
+import type { Edits } from "../state/edits.js";
 import { tools as icons } from "./icons.js";
 
-export function toolbar(playground: Playground): TemplateResult | "" {
-  const { history, scene, canReset, mode } = playground;
+export interface ToolbarStores extends ToolStores {
+  edits: Edits;
+}
+
+export function toolbar(playground: ToolbarStores): TemplateResult | "" {
+  const {
+    problem: { history, canReset },
+    boards: { scene, mode },
+  } = playground;
   if (scene.value === null) return "";
   const offered = toolsFor(scene.value.format);
   const resting = mode.value !== "plan";
@@ -29,9 +37,9 @@ export function toolbar(playground: Playground): TemplateResult | "" {
         : ""
     }
     <div class="history" role="group" aria-label="Edits">
-      ${act("Undo", icons.undo, history.canUndo.value, () => playground.undo())}
-      ${act("Redo", icons.redo, history.canRedo.value, () => playground.redo())}
-      ${act("Reset", icons.reset, canReset.value, () => playground.reset())}
+      ${act("Undo", icons.undo, history.canUndo.value, () => playground.edits.undo())}
+      ${act("Redo", icons.redo, history.canRedo.value, () => playground.edits.redo())}
+      ${act("Reset", icons.reset, canReset.value, () => playground.edits.reset())}
     </div>
     ${offered.length > 0 ? html`<p class="about ${tool}">${resting ? "The tools rest while a walk is shown." : toolNames[tool].about}</p>` : ""}
   </section>`;

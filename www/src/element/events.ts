@@ -1,5 +1,6 @@
 // What a playground tells the page it stands in: `mo-copp-step` and `mo-copp-outcome`.
-import type { Playground, Result } from "../state/playground.js";
+import type { Playground } from "../playground/playground.js";
+import type { Result } from "../state/answer.js";
 
 export class Notifier {
   private step: string | null = null;
@@ -12,13 +13,13 @@ export class Notifier {
 
   /** Tells what has changed since the last time. */
   notify(): void {
-    const { timeline, result, mode } = this.playground;
+    const { timeline, answer, boards } = this.playground;
     const shown = timeline.shown.value;
     if (shown !== null) {
       const detail = {
         step: timeline.step.value,
         // Not how long the way is that somebody guesses about.
-        steps: (mode.value === "guess" ? timeline.seen : timeline.lastStep).value,
+        steps: (boards.mode.value === "guess" ? timeline.seen : timeline.lastStep).value,
         action: shown.action,
         symbols: shown.symbols,
         goals: shown.goals,
@@ -28,7 +29,7 @@ export class Notifier {
       if (told !== this.step) this.send("mo-copp-step", detail);
       this.step = told;
     }
-    const outcome = result.value;
+    const outcome = answer.result.value;
     if (outcome !== null && outcome !== this.result) this.send("mo-copp-outcome", outcome.outcome);
     this.result = outcome;
   }

@@ -6,6 +6,7 @@ import { galleryMenu } from "../gallery/menu.js";
 import { problemBar } from "../gallery/problem-bar.js";
 import { held } from "../gesture/held.js";
 import { shortcut } from "../gesture/shortcuts.js";
+import { Playground } from "../playground/playground.js";
 import { exampleDocument } from "../problem/example.js";
 import { Address } from "../share/address.js";
 import { LinkCopier } from "../share/copy-link.js";
@@ -16,11 +17,9 @@ import { legend } from "../stage/legend.js";
 import { stage } from "../stage/stage.js";
 import { stepper } from "../stage/stepper.js";
 import { followSymbols } from "../stage/symbols.js";
-import { Playground } from "../state/playground.js";
 import { followRow } from "../steps/follow-row.js";
 import { cross } from "../view/icons.js";
 import { workbench } from "../workbench/workbench.js";
-import { SolverClient } from "../worker/client.js";
 import { Notifier } from "./events.js";
 import { keepInSight } from "./in-sight.js";
 import { PageKeys } from "./page-keys.js";
@@ -32,8 +31,7 @@ export class MoCoppPlayground extends SignalElement {
     return [...SignalElement.observedAttributes, ...settingNames, "hide", "link"];
   }
 
-  private readonly client = new SolverClient();
-  private readonly playground = new Playground(this.client);
+  private readonly playground = new Playground();
   private readonly shortcuts = (event: KeyboardEvent) => {
     if (this.keys.areFor(event)) shortcut(this.playground, event);
   };
@@ -61,7 +59,7 @@ export class MoCoppPlayground extends SignalElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.client.prepare();
+    this.playground.solving.prepare();
     this.sharing = this.getAttribute("link") !== "off" && this.address.claim();
     // Who has the address has the page; among several, each takes what is dropped on itself.
     this.drops.listen(this.sharing ? window : this);
@@ -119,9 +117,9 @@ export class MoCoppPlayground extends SignalElement {
   private sayMistakes(names: ReadonlySet<string>): void {
     const found = mistakes(this, names);
     if (found.length === 0) return;
-    const said = this.playground.error.peek();
+    const said = this.playground.answer.error.peek();
     const others = said === null || found.some((mistake) => said.includes(mistake)) ? [] : [said];
-    this.playground.refuse([...others, ...found].join(" "));
+    this.playground.solving.refuse([...others, ...found].join(" "));
   }
 
   protected override firstUpdated(): void {
@@ -134,14 +132,14 @@ export class MoCoppPlayground extends SignalElement {
     const opened = this.sharing ? await this.address.read() : null;
     if (opened === true || this.followed > 0) return;
     const { playground } = this;
-    const mistake = playground.error.value;
+    const mistake = playground.answer.error.value;
     await this.settle();
-    if (opened === false && mistake !== null) playground.refuse(mistake);
+    if (opened === false && mistake !== null) playground.solving.refuse(mistake);
   }
 
   protected override render(): TemplateResult {
     const playground = this.playground;
-    const error = playground.error.value;
+    const error = playground.answer.error.value;
     const hidden = hiddenParts(this.getAttribute("hide"));
     const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
     const copier = this.sharing && !hidden.has("share") ? this.copier : null;
@@ -152,7 +150,7 @@ export class MoCoppPlayground extends SignalElement {
           error === null
             ? nothing
             : html`<button type="button" class="sign" aria-label="Close the message" title="Close the message"
-                @click=${() => playground.dismiss()}>${cross}</button>`
+                @click=${() => playground.answer.dismiss()}>${cross}</button>`
         }
       </div>
       ${show("gallery", () => held(playground, () => problemBar(playground, copier)))} ${show("tools", () => toolbar(playground))}
@@ -182,13 +180,13 @@ export class MoCoppPlayground extends SignalElement {
   }
 
   protected override updated(): void {
-    const { status, timeline, difference } = this.playground;
-    this.dataset.status = status.value;
+    const { answer, timeline, boards } = this.playground;
+    this.dataset.status = answer.status.value;
     this.dataset.step = String(timeline.step.value);
-    if (difference.value === null) delete this.dataset.gd;
-    else this.dataset.gd = String(difference.value);
+    if (boards.difference.value === null) delete this.dataset.gd;
+    else this.dataset.gd = String(boards.difference.value);
     this.follow();
-    void this.playground.walker.follow();
+    void this.playground.walk.follow();
     this.notifier.notify();
   }
 }

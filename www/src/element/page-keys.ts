@@ -1,7 +1,7 @@
 // Keys that work wherever the focus is, as long as nothing there has keys of its own: ← → Home End Space walk through
 // the steps, and ? opens the help.
 import { openHelp } from "../help/help.js";
-import type { Playground } from "../state/playground.js";
+import type { Playground } from "../playground/playground.js";
 import { inField } from "../view/typing.js";
 
 /** The playgrounds of the page, in the order in which they came: the first has the keys when no other has the focus. */
@@ -34,7 +34,7 @@ export class PageKeys {
 
   /** True where the key was one of these. */
   take(key: string, on: Element): boolean {
-    const { timeline, mode } = this.playground;
+    const { timeline, boards } = this.playground;
     if (key === " ") {
       if (on.closest("button, a, summary, [role=button]") !== null) return false;
       if (timeline.playing.value) timeline.pause();
@@ -42,7 +42,7 @@ export class PageKeys {
       return true;
     }
     // Arrows walk while somebody is the agent.
-    if (mode.value === "walk" && key.startsWith("Arrow")) return false;
+    if (boards.mode.value === "walk" && key.startsWith("Arrow")) return false;
     const target: Record<string, number> = {
       Home: 0,
       End: timeline.lastStep.value,

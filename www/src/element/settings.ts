@@ -1,6 +1,7 @@
 // What a page asks of a playground by the element's attributes.
+
+import type { Playground } from "../playground/playground.js";
 import { type Form, solverNames } from "../state/form.js";
-import type { Playground } from "../state/playground.js";
 
 /** The parts that can be left out, by `hide`. */
 export const parts = ["gallery", "share", "tools", "stepper", "legend", "workbench", "goals"] as const;
@@ -68,8 +69,8 @@ export async function settle(
   if (!opened || !wanted()) return false;
   const form = formOf(settings);
   if (Object.keys(form).length > 0) {
-    playground.edit(form);
-    await playground.solve();
+    playground.solving.edit(form);
+    await playground.solving.solve();
     if (!wanted()) return false;
   }
   if (settings.plan !== null) await showPlan(playground, settings.plan, wanted);
@@ -91,11 +92,11 @@ async function openProblem(
   if (src !== null) {
     const text = await fetched(src);
     if (!wanted()) return false;
-    if (text !== null) return playground.open(text);
-    playground.refuse(`The problem document “${src}” could not be loaded.`);
+    if (text !== null) return playground.edits.open(text);
+    playground.solving.refuse(`The problem document “${src}” could not be loaded.`);
     return false;
   }
-  if (problem === null) return playground.open(fallback);
+  if (problem === null) return playground.edits.open(fallback);
   if (!gallery.documents.value.has(problem)) await gallery.load();
   return wanted() && gallery.open(problem);
 }
@@ -128,7 +129,7 @@ async function showPlan(playground: Playground, plan: string, wanted: () => bool
   const named = playground.gallery.current.value?.plans?.find(({ title }) => title === plan);
   if (named !== undefined) await playground.gallery.show(named);
   else
-    await playground.showPlan(
+    await playground.plans.show(
       plan.split(",").map((action) => action.trim()),
       "The plan of this page",
       wanted,

@@ -3,8 +3,22 @@ import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import { exampleDocument } from "../problem/example.js";
 import { sameProblem } from "../problem/same.js";
 import type { DeliveryDocument, ProblemDocument } from "../problem/types.js";
-import type { OpenDocument, Playground } from "../state/playground.js";
+import type { Answer } from "../state/answer.js";
+import type { Boards } from "../state/boards.js";
+import type { Edits } from "../state/edits.js";
+import type { OpenDocument, OpenProblem } from "../state/open-problem.js";
+import type { Plans } from "../state/plans.js";
+import type { Solving } from "../state/solving.js";
 import { type Entry, entries, type NamedPlan } from "./entries.js";
+
+interface GalleryStores {
+  problem: OpenProblem;
+  boards: Boards;
+  answer: Answer;
+  edits: Edits;
+  plans: Plans;
+  solving: Solving;
+}
 
 export class Gallery {
   /** The documents that are loaded, by name: at first the one that the page begins with. */
@@ -12,11 +26,11 @@ export class Gallery {
   readonly menuOpen = signal(false);
 
   /** The entry that is open, as it is in the gallery; null for any other problem. */
-  readonly current: ReadonlySignal<Entry | null> = computed(() => this.entryOf(this.playground.document.value));
+  readonly current: ReadonlySignal<Entry | null> = computed(() => this.entryOf(this.playground.problem.document.value));
 
   private loading: Promise<void> | undefined;
 
-  constructor(private readonly playground: Playground) {}
+  constructor(private readonly playground: GalleryStores) {}
 
   /** Loads all documents, once. */
   load(): Promise<void> {
@@ -34,9 +48,9 @@ export class Gallery {
   async open(name: string): Promise<boolean> {
     if (!this.documents.value.has(name)) await this.load();
     const document = this.documents.value.get(name);
-    if (document !== undefined) return this.playground.open(document.text);
+    if (document !== undefined) return this.playground.edits.open(document.text);
     const known = entries.some((entry) => entry.name === name);
-    this.playground.refuse(
+    this.playground.solving.refuse(
       known
         ? "The gallery could not be loaded. Is there a connection?"
         : `There is no problem called “${name}” in the gallery.`,
@@ -47,7 +61,7 @@ export class Gallery {
   /** Opens the next problem of the gallery, or the one before: `way` is 1 or −1. */
   turn(way: number): Promise<boolean> {
     // What was edited is a neighbour of the others still.
-    const value = this.current.value ?? this.entryOf(this.playground.origin.value);
+    const value = this.current.value ?? this.entryOf(this.playground.problem.origin.value);
     const at = value === null ? -1 : entries.indexOf(value);
     const from = at === -1 && way < 0 ? 0 : at;
     return this.open(entries[(from + way + entries.length) % entries.length]?.name ?? "");
@@ -55,36 +69,36 @@ export class Gallery {
 
   /** Shows a named plan of the entry that is open. */
   async show({ title, plan, trueGoal }: NamedPlan): Promise<void> {
-    const document = this.playground.document.value;
+    const document = this.playground.problem.document.value;
     if (document === null) return;
     const wanted = withTrueGoal(document.value, trueGoal);
     if (sameProblem(wanted, document.value)) {
       if (plan === undefined) this.showBest();
-      else await this.playground.showPlan([...plan], title);
+      else await this.playground.plans.show([...plan], title);
     } else {
-      this.playground.apply(wanted);
+      this.playground.edits.apply(wanted);
     }
   }
 
   /** Whether this is the named plan that is shown. */
   shows({ title, plan, trueGoal }: NamedPlan): boolean {
-    const value = this.playground.document.value?.value;
-    const { chosen, guess, mode } = this.playground;
+    const value = this.playground.problem.document.value?.value;
+    const { chosen, disguise, mode } = this.playground.boards;
     // Where a guess was made, the plan shown is that of the goal drawn.
-    if (value === undefined || mode.value !== "plan" || guess.round.value.kind !== "none") return false;
+    if (value === undefined || mode.value !== "plan" || disguise.value !== null) return false;
     if (!sameProblem(withTrueGoal(value, trueGoal), value)) return false;
     return plan === undefined ? chosen.value === null && this.isBest() : chosen.value === title;
   }
 
   /** Whether what was solved last is the best of all plans, not of those within bounds or of another solver. */
   private isBest(): boolean {
-    const { solver, k, j, horizon } = this.playground.result.value?.options ?? {};
+    const { solver, k, j, horizon } = this.playground.answer.result.value?.options ?? {};
     return solver === "exact" && k === undefined && j === undefined && horizon === undefined;
   }
 
   private showBest(): void {
-    if (this.isBest()) this.playground.showResult();
-    else this.playground.edit({ solver: "exact", k: "", j: "", horizon: "" });
+    if (this.isBest()) this.playground.plans.showAnswer();
+    else this.playground.solving.edit({ solver: "exact", k: "", j: "", horizon: "" });
   }
 
   private entryOf(document: OpenDocument | null): Entry | null {

@@ -1,12 +1,18 @@
 // The gallery as a dialog: a card for each problem, with its picture and what it shows.
 import { html, type TemplateResult } from "lit";
-import type { Playground } from "../state/playground.js";
+import type { Workbench } from "../state/workbench.js";
 import { closeAround } from "../view/dialog.js";
 import { cross } from "../view/icons.js";
 import { type Entry, entries } from "./entries.js";
+import type { Gallery } from "./gallery.js";
 import { thumbnail } from "./thumbnail.js";
 
-export function galleryMenu(playground: Playground): TemplateResult {
+export interface MenuStores {
+  gallery: Gallery;
+  workbench: Workbench;
+}
+
+export function galleryMenu(playground: MenuStores): TemplateResult {
   const { gallery } = playground;
   const id = `${playground.workbench.id}-gallery`;
   return html`<dialog class="sheet gallery" aria-labelledby=${id} @click=${closeAround}
@@ -23,7 +29,7 @@ export function galleryMenu(playground: Playground): TemplateResult {
   </dialog>`;
 }
 
-function card(playground: Playground, entry: Entry): TemplateResult {
+function card(playground: MenuStores, entry: Entry): TemplateResult {
   const { gallery } = playground;
   const document = gallery.documents.value.get(entry.name);
   const current = gallery.current.value === entry;
@@ -40,7 +46,7 @@ function card(playground: Playground, entry: Entry): TemplateResult {
 }
 
 /** Opens the dialog of the playground that `part` is in. */
-export function openGallery(playground: Playground, part: Element): void {
+export function openGallery(playground: MenuStores, part: Element): void {
   const { gallery } = playground;
   gallery.menuOpen.value = true;
   void gallery.load();

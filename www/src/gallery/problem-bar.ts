@@ -2,17 +2,24 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { openHelp } from "../help/help.js";
 import { copyLink, type LinkCopier } from "../share/copy-link.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { OpenProblem } from "../state/open-problem.js";
 import { down, left, question, right } from "../view/icons.js";
 import { entries, type NamedPlan } from "./entries.js";
+import type { MenuStores } from "./menu.js";
 import { openGallery } from "./menu.js";
 import { thumbnail } from "./thumbnail.js";
 
+export interface ProblemBarStores extends MenuStores {
+  problem: OpenProblem;
+  boards: Boards;
+}
+
 /** `copier`: null where this playground's state is not in the page's address. */
-export function problemBar(playground: Playground, copier: LinkCopier | null): TemplateResult {
+export function problemBar(playground: ProblemBarStores, copier: LinkCopier | null): TemplateResult {
   const { gallery } = playground;
   const entry = gallery.current.value;
-  const value = playground.document.value?.value;
+  const value = playground.problem.document.value?.value;
   const at = entry === null ? -1 : entries.indexOf(entry);
   const where =
     at === -1 ? "All problems" : html`<span class="where-word">Problem</span> ${at + 1} of ${entries.length}`;
@@ -36,23 +43,23 @@ export function problemBar(playground: Playground, copier: LinkCopier | null): T
   </section>`;
 }
 
-function titleOf(playground: Playground): string {
+function titleOf(playground: ProblemBarStores): string {
   const entry = playground.gallery.current.value;
   if (entry !== null) return entry.title;
-  if (playground.document.value === null) return "…";
-  return playground.canReset.value ? "An edited problem" : "Your own problem";
+  if (playground.problem.document.value === null) return "…";
+  return playground.problem.canReset.value ? "An edited problem" : "Your own problem";
 }
 
-function aboutOwn(playground: Playground): string {
-  if (playground.document.value === null) return "";
-  return playground.canReset.value
+function aboutOwn(playground: ProblemBarStores): string {
+  if (playground.problem.document.value === null) return "";
+  return playground.problem.canReset.value
     ? "Edited by hand; the link and the saved document hold it as it is now."
     : "Opened from a link, a file or its text.";
 }
 
-function plans(playground: Playground, named: readonly NamedPlan[]): TemplateResult | typeof nothing {
+function plans(playground: ProblemBarStores, named: readonly NamedPlan[]): TemplateResult | typeof nothing {
   // While somebody guesses, a plan would give the answer away.
-  if (named.length === 0 || playground.mode.value === "guess") return nothing;
+  if (named.length === 0 || playground.boards.mode.value === "guess") return nothing;
   const { gallery } = playground;
   return html`<div class="plans" role="group" aria-label="Plans to look at">
     ${named.map(

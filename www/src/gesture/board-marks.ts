@@ -1,9 +1,13 @@
 // What editing draws on a board: the keyboard's cursor, and where that which is dragged is now.
 import { nothing, svg } from "lit";
-import type { Playground } from "../state/playground.js";
+import type { Editing } from "../state/editing.js";
 import type { BoardName } from "../view/observers.js";
 
-export function boardMarks(board: BoardName, { editing }: Playground) {
+interface BoardMarkStores {
+  editing: Editing;
+}
+
+export function boardMarks(board: BoardName, { editing }: BoardMarkStores) {
   const cursor = editing.cursor.value;
   const drag = editing.drag.value;
   const frame = ([column, row]: readonly [number, number], look: string) =>

@@ -2,30 +2,36 @@
 import { sameCell } from "../problem/cells.js";
 import { type Drag, draggedTo } from "../problem/drag.js";
 import type { Cell } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
+import type { Editing } from "../state/editing.js";
+import type { Edits } from "../state/edits.js";
 
-export function begin(playground: Playground, drag: Drag): void {
-  playground.editing.drag.value = drag;
-  if (drag.document !== drag.base) playground.preview(drag.document);
+export interface DragStores {
+  editing: Editing;
+  edits: Edits;
 }
 
-export function goTo(playground: Playground, cell: Cell): void {
+export function begin(playground: DragStores, drag: Drag): void {
+  playground.editing.drag.value = drag;
+  if (drag.document !== drag.base) playground.edits.preview(drag.document);
+}
+
+export function goTo(playground: DragStores, cell: Cell): void {
   const { drag } = playground.editing;
   const before = drag.value;
   if (before === null || sameCell(before.at, cell)) return;
   const after = draggedTo(before, cell);
   drag.value = after;
-  if (after.document !== before.document) playground.preview(after.document);
+  if (after.document !== before.document) playground.edits.preview(after.document);
 }
 
-export function finish(playground: Playground): void {
+export function finish(playground: DragStores): void {
   playground.editing.drag.value = null;
-  playground.commit();
+  playground.edits.commit();
 }
 
 /** Everything is as it was before the drag. */
-export function takeBack(playground: Playground): void {
+export function takeBack(playground: DragStores): void {
   if (playground.editing.drag.value === null) return;
   playground.editing.drag.value = null;
-  playground.takeBack();
+  playground.edits.takeBack();
 }

@@ -1,7 +1,11 @@
 // What stands above the boards stays as it is while something is dragged: else they would move under the hand.
 import type { TemplateResult } from "lit";
 import { guard } from "lit/directives/guard.js";
-import type { Playground } from "../state/playground.js";
+import type { Editing } from "../state/editing.js";
 
-export const held = ({ editing }: Playground, part: () => TemplateResult | "") =>
+interface HeldStores {
+  editing: Editing;
+}
+
+export const held = ({ editing }: HeldStores, part: () => TemplateResult | "") =>
   guard(editing.drag.value === null ? [{}] : ["held"], part);

@@ -4,11 +4,14 @@ import { carry, isPainted, type Paint, stroke } from "../problem/drag.js";
 import { isWall, setBelieved, setCamera, setWall } from "../problem/grid-cells.js";
 import { addGoal, goalAt, removeGoal } from "../problem/grid-goals.js";
 import type { Cell, FloorDocument } from "../problem/types.js";
-import type { Playground } from "../state/playground.js";
 import type { BoardName } from "../view/observers.js";
+import type { DragStores } from "./dragging.js";
 import { begin, finish, goTo, takeBack } from "./dragging.js";
 import { carriedInWords, cellInWords, pieceName } from "./spoken.js";
+import type { ToolStores } from "./tools.js";
 import { editable, paintOf, pieceAt, roleOf, toolInHand } from "./tools.js";
+
+export type KeyStores = ToolStores & DragStores;
 
 const steps: Record<string, Cell> = {
   ArrowLeft: [-1, 0],
@@ -30,13 +33,13 @@ export const boardKeys: readonly [keys: string, meaning: string][] = [
 ];
 
 interface Here {
-  playground: Playground;
+  playground: KeyStores;
   board: BoardName;
   document: FloorDocument;
   cell: Cell;
 }
 
-export function boardKey(board: BoardName, playground: Playground) {
+export function boardKey(board: BoardName, playground: KeyStores) {
   return (event: KeyboardEvent): void => {
     if (event.altKey || event.ctrlKey || event.metaKey) return;
     const document = editable(playground);
@@ -54,7 +57,7 @@ export function boardKey(board: BoardName, playground: Playground) {
 }
 
 /** The cursor shows itself to who comes with the keyboard. */
-export function boardFocus(board: BoardName, playground: Playground) {
+export function boardFocus(board: BoardName, playground: KeyStores) {
   return (event: FocusEvent): void => {
     const document = editable(playground);
     if (document === null || !(event.currentTarget as Element).matches(":focus-visible")) return;
@@ -65,7 +68,7 @@ export function boardFocus(board: BoardName, playground: Playground) {
 }
 
 /** What is carried by the keyboard goes back when the keyboard goes elsewhere. */
-export function boardBlur(playground: Playground) {
+export function boardBlur(playground: KeyStores) {
   return (): void => {
     const { cursor } = playground.editing;
     if (cursor.value?.shown !== true) return;
@@ -76,7 +79,7 @@ export function boardBlur(playground: Playground) {
 }
 
 /** Where it was last; at first the start. */
-function cursorOn(board: BoardName, { editing }: Playground, document: FloorDocument): Cell {
+function cursorOn(board: BoardName, { editing }: KeyStores, document: FloorDocument): Cell {
   const cursor = editing.cursor.value;
   return cursor !== null && cursor.board === board && inside(document, cursor.cell) ? cursor.cell : startOf(document);
 }
@@ -84,7 +87,7 @@ function cursorOn(board: BoardName, { editing }: Playground, document: FloorDocu
 const startOf = (document: FloorDocument): Cell =>
   document.format === "gridworld" ? document.start : document.start.robot;
 
-const say = (playground: Playground, words: string): void => {
+const say = (playground: KeyStores, words: string): void => {
   playground.editing.said.value = words;
 };
 
@@ -168,6 +171,6 @@ function make({ playground, board, document, cell }: Here, edited: FloorDocument
   if (playground.editing.drag.value !== null) return "put down first what you carry.";
   if (typeof edited === "string") return edited;
   if (edited === document) return `that can’t be here. ${cellInWords(document, board, cell)}`;
-  playground.apply(edited);
+  playground.edits.apply(edited);
   return cellInWords(edited, board, cell);
 }

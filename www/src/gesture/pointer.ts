@@ -1,11 +1,14 @@
 // Editing a board with a mouse, a pen or a finger.
 import { inside } from "../problem/cells.js";
 import { carry, type Drag, stroke } from "../problem/drag.js";
-import type { Playground } from "../state/playground.js";
 import type { BoardName } from "../view/observers.js";
+import type { DragStores } from "./dragging.js";
 import { begin, finish, goTo, takeBack } from "./dragging.js";
 import { cellAt, grasped, pointIn } from "./reach.js";
+import type { ToolStores } from "./tools.js";
 import { editable, paintOf, toolInHand } from "./tools.js";
+
+export type PointerStores = ToolStores & DragStores;
 
 export interface BoardPointer {
   down: (event: PointerEvent) => void;
@@ -22,7 +25,7 @@ const SHAKE = 3;
 /** The pointer that edits, only one at a time, and where it was pressed. */
 let holding: { pointer: number; x: number; y: number } | null = null;
 
-export function boardPointer(board: BoardName, playground: Playground): BoardPointer {
+export function boardPointer(board: BoardName, playground: PointerStores): BoardPointer {
   const { editing } = playground;
   return {
     down(event) {
@@ -66,7 +69,7 @@ export function boardPointer(board: BoardName, playground: Playground): BoardPoi
       if (drag?.kind === "carry" && drag.piece.kind === "goal" && drag.document === drag.base) {
         const goal = drag.base.goals[drag.piece.index];
         if (goal !== undefined && !(event.currentTarget as Element).hasPointerCapture(event.pointerId))
-          playground.story.choose(goal.name);
+          playground.boards.story.choose(goal.name);
       }
     },
     lost(event) {
@@ -90,7 +93,7 @@ export function boardPointer(board: BoardName, playground: Playground): BoardPoi
 /** What a press there takes hold of; null where that is nothing. */
 function dragFrom(
   board: BoardName,
-  playground: Playground,
+  playground: PointerStores,
   svg: SVGSVGElement,
   at: { clientX: number; clientY: number },
   touch: boolean,

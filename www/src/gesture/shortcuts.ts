@@ -1,9 +1,11 @@
 // Keys that edit wherever on the page the keyboard is: undo and redo, and giving up what is being dragged.
-import type { Playground } from "../state/playground.js";
 import { inText } from "../view/typing.js";
+import type { DragStores } from "./dragging.js";
 import { takeBack } from "./dragging.js";
 
-export function shortcut(playground: Playground, event: KeyboardEvent): void {
+export type ShortcutStores = DragStores;
+
+export function shortcut(playground: ShortcutStores, event: KeyboardEvent): void {
   if (playground.editing.drag.value !== null && event.key === "Escape") {
     event.preventDefault();
     takeBack(playground);
@@ -15,8 +17,8 @@ export function shortcut(playground: Playground, event: KeyboardEvent): void {
   event.preventDefault();
   // Taking back what is not finished is all that is meant.
   if (playground.editing.drag.value !== null) takeBack(playground);
-  else if (action === "undo") playground.undo();
-  else playground.redo();
+  else if (action === "undo") playground.edits.undo();
+  else playground.edits.redo();
 }
 
 function wanted({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): "undo" | "redo" | null {

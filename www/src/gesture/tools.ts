@@ -6,9 +6,18 @@ import { isWall } from "../problem/grid-cells.js";
 import { goalAt } from "../problem/grid-goals.js";
 import { things } from "../problem/pose-cells.js";
 import type { FloorDocument, ProblemDocument, Role } from "../problem/types.js";
-import type { Cursor, Tool } from "../state/editing.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { Cursor, Editing, Tool } from "../state/editing.js";
+import type { OpenProblem } from "../state/open-problem.js";
+import type { Timeline } from "../state/timeline.js";
 import type { BoardName } from "../view/observers.js";
+
+export interface ToolStores {
+  problem: OpenProblem;
+  boards: Boards;
+  editing: Editing;
+  timeline: Timeline;
+}
 
 export const toolNames: Record<Tool, { title: string; about: string }> = {
   move: {
@@ -52,7 +61,10 @@ export function pieceAt(document: FloorDocument, board: BoardName, cell: Cursor[
 }
 
 /** The grid that the next edit starts from; null where there is none, or where the boards are not for editing now. */
-export function editable({ latest, mode }: Playground): FloorDocument | null {
+export function editable({
+  problem: { latest },
+  boards: { mode },
+}: Pick<ToolStores, "problem" | "boards">): FloorDocument | null {
   return latest !== null && isFloor(latest) && mode.value === "plan" ? latest : null;
 }
 
@@ -65,13 +77,13 @@ export const toolsFor = (format: ProblemDocument["format"]): readonly Tool[] =>
   format === "gridworld" ? tools : floors.includes(format) ? ["move", "walls"] : [];
 
 /** The tool in the hand; one that the problem open now has no use for is put down. */
-export const toolInHand = ({ editing, latest }: Playground): Tool =>
+export const toolInHand = ({ editing, problem: { latest } }: Pick<ToolStores, "editing" | "problem">): Tool =>
   latest !== null && toolsFor(latest.format).includes(editing.tool.value) ? editing.tool.value : "move";
 
 export const roleOf = (board: BoardName): Role | null => (board === "actor" ? null : board);
 
 /** Takes a tool. First beliefs are those of step 0. */
-export function take(playground: Playground, tool: Tool): void {
+export function take(playground: Pick<ToolStores, "editing" | "timeline">, tool: Tool): void {
   playground.editing.tool.value = tool;
   if (tool === "belief") playground.timeline.goTo(0);
 }

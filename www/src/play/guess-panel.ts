@@ -1,10 +1,19 @@
 // The controls of the guessing game.
 import { html, type TemplateResult } from "lit";
+import type { Boards } from "../state/boards.js";
 import type { Guess, Round } from "../state/guess.js";
-import type { Playground } from "../state/playground.js";
+import type { Timeline } from "../state/timeline.js";
+import type { Workbench } from "../state/workbench.js";
 import { brief } from "../view/names.js";
 
-export function guessPanel(playground: Playground): TemplateResult {
+export interface GuessPanelStores {
+  guess: Guess;
+  boards: Boards;
+  timeline: Timeline;
+  workbench: Workbench;
+}
+
+export function guessPanel(playground: GuessPanelStores): TemplateResult {
   const game = playground.guess;
   const round = game.round.value;
   return html`<div class="play guess">
@@ -21,12 +30,12 @@ export function guessPanel(playground: Playground): TemplateResult {
   </div>`;
 }
 
-function body(playground: Playground, game: Guess, round: Round): TemplateResult | string {
+function body(playground: GuessPanelStores, game: Guess, round: Round): TemplateResult | string {
   if (round.kind === "hiding") return html`<p>The agent is choosing its way…</p>`;
   if (round.kind === "impossible")
     return html`<p>No goal of this problem can be reached: there is nothing to guess.</p>`;
   if (round.kind === "over") return html`<div role="status">${told(round)}</div>`;
-  const goals = playground.scene.value?.goals ?? [];
+  const goals = playground.boards.scene.value?.goals ?? [];
   const { step, lastStep } = playground.timeline;
   return html`<p>
       Step forward to hear what the enemy is told. Its board shows where the agent could be.

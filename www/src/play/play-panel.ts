@@ -1,21 +1,24 @@
 // Playing: being the agent, or being the enemy.
 import { html, type TemplateResult } from "lit";
-import type { Playground } from "../state/playground.js";
+import type { GuessPanelStores } from "./guess-panel.js";
 import { guessPanel } from "./guess-panel.js";
+import type { WalkPanelStores } from "./walk-panel.js";
 import { walkPanel } from "./walk-panel.js";
 
+export type PlayPanelStores = GuessPanelStores & WalkPanelStores;
+
 /** The button that was pressed goes away: the focus moves to where the walk is made. */
-async function takeOver(playground: Playground, { currentTarget }: Event): Promise<void> {
+async function takeOver(playground: PlayPanelStores, { currentTarget }: Event): Promise<void> {
   const element = (currentTarget as Element).closest("mo-copp-playground");
-  await playground.walker.start();
+  await playground.walk.start();
   requestAnimationFrame(() =>
     element?.querySelector<HTMLElement>(".walkable, .play.walk :is(input, button)")?.focus({ preventScroll: true }),
   );
 }
 
-export function playPanel(playground: Playground): TemplateResult {
+export function playPanel(playground: PlayPanelStores): TemplateResult {
   const round = playground.guess.round.value.kind;
-  if (playground.mode.value === "walk") return walkPanel(playground);
+  if (playground.boards.mode.value === "walk") return walkPanel(playground);
   if (round !== "none") return guessPanel(playground);
   return html`<div class="play choices">
     <div>

@@ -1,8 +1,16 @@
 // Walking by key and by touch, on the agent's board.
 import { svg, type TemplateResult } from "lit";
 import type { Scene, State } from "../core.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { Timeline } from "../state/timeline.js";
+import type { Walk } from "../state/walk.js";
 import { icon } from "../view/icons.js";
+
+export interface WalkKeyStores {
+  boards: Boards;
+  timeline: Timeline;
+  walk: Walk;
+}
 
 const arrow = (turn: number): TemplateResult =>
   icon(svg`<path transform="rotate(${turn} 8 8)" d="M8 2.5l5 6H10v5H6v-5H3z"></path>`);
@@ -32,31 +40,36 @@ function directions(more: Record<string, string>): Record<string, string> {
 export const hasWalkKeys = ({ format }: Scene): boolean => keysOf[format] !== undefined;
 
 /** Takes the action of a key pressed on the agent's board; true where the key was one. */
-export function walkByKey(playground: Playground, event: KeyboardEvent): boolean {
-  if (playground.mode.value !== "walk" || event.altKey || event.ctrlKey || event.metaKey) return false;
+export function walkByKey(playground: WalkKeyStores, event: KeyboardEvent): boolean {
+  if (playground.boards.mode.value !== "walk" || event.altKey || event.ctrlKey || event.metaKey) return false;
   if (event.key === "Backspace") {
     event.preventDefault();
-    void playground.walker.back();
+    void playground.walk.back();
     return true;
   }
-  const action = keysOf[playground.scene.value?.format ?? "explicit"]?.[event.key];
+  const action = keysOf[playground.boards.scene.value?.format ?? "explicit"]?.[event.key];
   if (action === undefined) return false;
   event.preventDefault();
-  void playground.walker.take(action);
+  void playground.walk.take(action);
   return true;
 }
 
 /** Walks to a cell beside the agent, or stays on its own. */
-function walkToCell(playground: Playground, column: number, row: number): void {
+function walkToCell(playground: WalkKeyStores, column: number, row: number): void {
   const here = standing(playground.timeline.shown.value?.state);
   // A robot that turns does not go where one points.
-  if (playground.mode.value !== "walk" || here === null || playground.scene.value?.format === "box-pushing") return;
+  if (
+    playground.boards.mode.value !== "walk" ||
+    here === null ||
+    playground.boards.scene.value?.format === "box-pushing"
+  )
+    return;
   const [columns, rows] = [column - here[0], row - here[1]];
   const action =
     columns === 0 && rows === 0
       ? "stay"
       : Object.values(arrows).find((way) => way.columns === columns && way.rows === rows)?.action;
-  if (action !== undefined) void playground.walker.take(action);
+  if (action !== undefined) void playground.walk.take(action);
 }
 
 function standing(state: State | undefined): [number, number] | null {
@@ -65,7 +78,7 @@ function standing(state: State | undefined): [number, number] | null {
 }
 
 /** The cell of a grid's board under the pointer. */
-export function walkByPointer(playground: Playground, event: MouseEvent): void {
+export function walkByPointer(playground: WalkKeyStores, event: MouseEvent): void {
   const board = (event.currentTarget as HTMLElement).querySelector<SVGSVGElement>("svg.board");
   const toScreen = board?.getScreenCTM();
   if (!board || !toScreen) return;

@@ -1,11 +1,18 @@
 // The controls of a walk: what can be done now, a step back, and how the walk compares with the best of its length.
 import { html, type TemplateResult } from "lit";
 import type { Scene } from "../core.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { Timeline } from "../state/timeline.js";
 import type { Verdict, Walk } from "../state/walk.js";
 import { shortNumber } from "../view/numbers.js";
 import { chooser } from "./chooser.js";
 import { arrows } from "./walk-keys.js";
+
+export interface WalkPanelStores {
+  walk: Walk;
+  boards: Boards;
+  timeline: Timeline;
+}
 
 const hints: Partial<Record<Scene["format"], string>> = {
   gridworld: "Use the arrow keys on the agent's board, click a cell beside the agent, or these buttons.",
@@ -15,9 +22,9 @@ const hints: Partial<Record<Scene["format"], string>> = {
     "Use the keys on the agent's board (arrows, P: pick up, D: drop, C: charge, S: stay), or these buttons.",
 };
 
-export function walkPanel(playground: Playground): TemplateResult {
-  const walk = playground.walker;
-  const format = playground.scene.value?.format;
+export function walkPanel(playground: WalkPanelStores): TemplateResult {
+  const walk = playground.walk;
+  const format = playground.boards.scene.value?.format;
   const grid = format === "gridworld";
   const { step } = playground.timeline;
   return html`<div class="play walk">

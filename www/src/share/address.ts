@@ -1,11 +1,16 @@
 // The page's address as the place where a playground's state is kept: written while one works, read at the start and
 // whenever somebody follows another link.
 import { effect } from "@preact/signals-core";
-import type { Playground } from "../state/playground.js";
+import type { Solving } from "../state/solving.js";
 import { pressed } from "../view/pressed.js";
 import { LinkError, LONGEST_LINK, MOST_TEXT, pack, unpack } from "./packed.js";
+import type { RestoreStores } from "./restore.js";
 import { restore } from "./restore.js";
 import { readState, stateOf } from "./shared-state.js";
+
+export interface AddressStores extends RestoreStores {
+  solving: Solving;
+}
 
 /** Some browsers take a hundred changes of the address in half a minute, and then no more. */
 const QUIET_MS = 400;
@@ -23,7 +28,7 @@ export class Address {
   /** How many links are being opened: what is between two states is not worth an address. */
   private restoring = 0;
 
-  constructor(private readonly playground: Playground) {}
+  constructor(private readonly playground: AddressStores) {}
 
   /** Takes the address over, where no other playground has it. */
   claim(): boolean {
@@ -51,7 +56,7 @@ export class Address {
       return await restore(this.playground, readState(await unpack(fragment)));
     } catch (error) {
       if (!(error instanceof LinkError)) throw error;
-      this.playground.refuse(error.message);
+      this.playground.solving.refuse(error.message);
       return false;
     } finally {
       this.restoring -= 1;

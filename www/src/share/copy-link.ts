@@ -1,10 +1,14 @@
 // The button that copies a link to what is shown, and says whether it did.
 import { signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
-import type { Playground } from "../state/playground.js";
+import type { OpenProblem } from "../state/open-problem.js";
 import { chain, tick } from "../view/icons.js";
 import type { Address } from "./address.js";
 import { copy } from "./clipboard.js";
+
+interface CopyLinkStores {
+  problem: OpenProblem;
+}
 
 type Said = { kind: "nothing" } | { kind: "copied" } | { kind: "yours"; link: string } | { kind: "too long" };
 
@@ -30,11 +34,11 @@ export class LinkCopier {
   }
 }
 
-export function copyLink(playground: Playground, copier: LinkCopier): TemplateResult {
+export function copyLink(playground: CopyLinkStores, copier: LinkCopier): TemplateResult {
   const said = copier.said.value;
   return html`<div class="copy-link">
     <button type="button" title="Copy a link to the problem, the plan and the step as they are shown"
-      ?disabled=${playground.document.value === null} @click=${() => void copier.copy()}>
+      ?disabled=${playground.problem.document.value === null} @click=${() => void copier.copy()}>
       ${said.kind === "copied" ? tick : chain}<span>${said.kind === "copied" ? "Copied" : "Copy link"}</span>
     </button>
     <div role="status">${words(said, copier)}</div>

@@ -1,9 +1,11 @@
 // Files dropped on the page.
 import { signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
-import type { Playground } from "../state/playground.js";
 import { inField } from "../view/typing.js";
+import type { FileStores } from "./files.js";
 import { openFile } from "./files.js";
+
+type DropStores = FileStores;
 
 export class DropTarget {
   /** A file is being dragged over it. */
@@ -11,7 +13,7 @@ export class DropTarget {
   private target: EventTarget | null = null;
   private leaving: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly playground: Playground) {}
+  constructor(private readonly playground: DropStores) {}
 
   /** Takes what is dropped on `target`: the whole page, or the playground alone. */
   listen(target: EventTarget): void {
@@ -71,10 +73,11 @@ export class DropTarget {
   private async take({ items, files }: DataTransfer): Promise<void> {
     const folder = Array.from(items).some((item) => item.webkitGetAsEntry?.()?.isDirectory === true);
     const [file] = files;
-    if (folder) this.playground.refuse("That is a folder. Drop one problem document, a .json file.");
-    else if (file === undefined) this.playground.refuse("That is no file. Drop one problem document, a .json file.");
+    if (folder) this.playground.solving.refuse("That is a folder. Drop one problem document, a .json file.");
+    else if (file === undefined)
+      this.playground.solving.refuse("That is no file. Drop one problem document, a .json file.");
     else if (files.length > 1)
-      this.playground.refuse(`Those are ${files.length} files. Drop one problem document at a time.`);
+      this.playground.solving.refuse(`Those are ${files.length} files. Drop one problem document at a time.`);
     else await openFile(this.playground, file);
   }
 }

@@ -1,23 +1,34 @@
 // Puts a playground into the state that a link holds.
 import { effect } from "@preact/signals-core";
+import type { Gallery } from "../gallery/gallery.js";
 import { initialPatience } from "../state/comparison.js";
+import type { Edits } from "../state/edits.js";
 import { emptyForm } from "../state/form.js";
-import type { Playground } from "../state/playground.js";
+import type { Plans } from "../state/plans.js";
 import { initialExtra } from "../state/tradeoff.js";
+import type { Walk } from "../state/walk.js";
+import type { SharedStores } from "./shared-state.js";
 import { planShown, type SharedState } from "./shared-state.js";
+
+export interface RestoreStores extends SharedStores {
+  edits: Edits;
+  gallery: Gallery;
+  plans: Plans;
+  walk: Walk;
+}
 
 /** Whose the plan is that no solver has found again. */
 const LINK = "the plan of the link";
 
 /** Nothing changes where the link's problem is not right: then the page says why, and false comes back. */
-export async function restore(playground: Playground, state: SharedState): Promise<boolean> {
+export async function restore(playground: RestoreStores, state: SharedState): Promise<boolean> {
   // What the link leaves out is as nobody touched it, whatever the page was used for before.
   const form = { ...emptyForm, ...state.form };
   const stop = showMeanwhile(playground, state);
-  const right = await playground.open(state.document, form, state.answered ? "chosen" : "exact");
+  const right = await playground.edits.open(state.document, form, state.answered ? "chosen" : "exact");
   stop();
   if (!right) return false;
-  const opened = playground.document.value;
+  const opened = playground.problem.document.value;
   // It may be one of the gallery's: then it has a name, and named plans.
   void playground.gallery.load();
   showSettings(playground, state);
@@ -33,30 +44,31 @@ export async function restore(playground: Playground, state: SharedState): Promi
   // Who had only begun to walk has no plan yet.
   if (state.mode === "walk" || other) await showPlan(playground, plan, state);
   // Somebody may have gone on already.
-  if (playground.document.value === opened) playground.timeline.goTo(state.step);
+  if (playground.problem.document.value === opened) playground.timeline.goTo(state.step);
   return true;
 }
 
-function showSettings({ tradeoff, comparison }: Playground, { extra, patience }: SharedState): void {
+function showSettings({ tradeoff, comparison }: RestoreStores, { extra, patience }: SharedState): void {
   tradeoff.extra.value = extra ?? initialExtra;
   comparison.patience.value = patience === 0 ? Number.POSITIVE_INFINITY : (patience ?? initialPatience);
 }
 
 /** Shows the link's plan while a solver that takes long is at work. */
-function showMeanwhile(playground: Playground, { document, plan = [], title, step, mode }: SharedState): () => void {
+function showMeanwhile(playground: RestoreStores, { document, plan = [], title, step, mode }: SharedState): () => void {
   let begun = false;
   return effect(() => {
-    const solving = playground.status.value === "solving" && playground.document.value?.text === document;
+    const solving =
+      playground.answer.status.value === "solving" && playground.problem.document.value?.text === document;
     if (begun || !solving || plan.length === 0 || mode !== "plan") return;
     begun = true;
-    const wanted = () => playground.status.value === "solving";
-    void playground.showPlan(plan, title ?? LINK, wanted).then(() => wanted() && playground.timeline.goTo(step));
+    const wanted = () => playground.answer.status.value === "solving";
+    void playground.plans.show(plan, title ?? LINK, wanted).then(() => wanted() && playground.timeline.goTo(step));
   });
 }
 
-async function showPlan(playground: Playground, plan: string[], { mode, title }: SharedState): Promise<void> {
-  if (mode === "walk") return playground.walker.resume(plan);
-  return playground.showPlan(plan, title ?? LINK);
+async function showPlan(playground: RestoreStores, plan: string[], { mode, title }: SharedState): Promise<void> {
+  if (mode === "walk") return playground.walk.resume(plan);
+  return playground.plans.show(plan, title ?? LINK);
 }
 
 const same = (one: readonly string[], other: readonly string[]): boolean =>

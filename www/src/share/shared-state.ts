@@ -1,10 +1,31 @@
 // What a link holds: the problem, what is asked of the solver, the plan shown and the step, and what is open.
+
+import type { ReadonlySignal } from "@preact/signals-core";
 import { written } from "../problem/text.js";
+import type { Answer } from "../state/answer.js";
+import type { Boards, Mode } from "../state/boards.js";
+import type { Comparison } from "../state/comparison.js";
 import { initialPatience, patiences } from "../state/comparison.js";
 import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
-import type { Mode, OpenDocument, Playground } from "../state/playground.js";
+import type { Guess } from "../state/guess.js";
+import type { OpenDocument, OpenProblem } from "../state/open-problem.js";
+import type { Timeline } from "../state/timeline.js";
+import type { Tradeoff } from "../state/tradeoff.js";
 import { extras, initialExtra } from "../state/tradeoff.js";
+import type { Workbench } from "../state/workbench.js";
 import { LinkError } from "./packed.js";
+
+export interface SharedStores {
+  problem: OpenProblem;
+  boards: Boards;
+  timeline: Timeline;
+  answer: Answer;
+  form: ReadonlySignal<Form>;
+  guess: Guess;
+  comparison: Comparison;
+  tradeoff: Tradeoff;
+  workbench: Workbench;
+}
 
 export interface SharedState {
   /** The document's text, as it is. */
@@ -29,13 +50,13 @@ export interface SharedState {
 const LONGEST_PLAN = 10_000;
 const LONGEST_TITLE = 120;
 
-export function stateOf(playground: Playground): SharedState | null {
-  const document = playground.document.value;
+export function stateOf(playground: SharedStores): SharedState | null {
+  const document = playground.problem.document.value;
   if (document === null) return null;
   const { timeline } = playground;
-  const mode = playground.mode.value;
+  const mode = playground.boards.mode.value;
   const plan = mode === "guess" ? [] : planShown(playground);
-  const title = playground.chosen.value;
+  const title = playground.boards.chosen.value;
   const extra = playground.tradeoff.extra.value;
   const patience = playground.comparison.patience.value;
   return {
@@ -53,19 +74,19 @@ export function stateOf(playground: Playground): SharedState | null {
 }
 
 /** After a guess the steps are those of the goal that was drawn for it: so is the document of the link. */
-function documentShown({ guess, mode, chosen }: Playground, { text, value }: OpenDocument): string {
+function documentShown({ guess, boards: { mode, chosen } }: SharedStores, { text, value }: OpenDocument): string {
   const round = guess.round.value;
   const drawn = round.kind === "over" && mode.value === "plan" && chosen.value === null;
   if (!drawn || round.goal === (value as { true_goal?: string }).true_goal) return text;
   return written({ ...value, true_goal: round.goal } as typeof value);
 }
 
-export function planShown({ timeline }: Playground): string[] {
+export function planShown({ timeline }: Pick<SharedStores, "timeline">): string[] {
   const steps = timeline.trace.value?.steps.slice(1) ?? [];
   return steps.flatMap(({ action }) => (action === null ? [] : [action]));
 }
 
-function answered({ form, result }: Playground): boolean {
+function answered({ form, answer: { result } }: SharedStores): boolean {
   const options = result.value?.options;
   return (
     options !== undefined &&

@@ -1,12 +1,19 @@
 // Why there is no plan, and the nearest changes that allow one.
 import { html, nothing, type TemplateResult } from "lit";
 import type { Advice } from "../core.js";
-import type { Playground, Result } from "../state/playground.js";
+import type { Adviser } from "../state/adviser.js";
+import type { Result } from "../state/answer.js";
+import type { Solving } from "../state/solving.js";
 import { counted, shortNumber } from "../view/numbers.js";
+
+export interface InfeasibleStores {
+  adviser: Adviser;
+  solving: Solving;
+}
 
 type Remedy = Advice["remedies"][number];
 
-export function infeasible(playground: Playground, result: Result): TemplateResult {
+export function infeasible(playground: InfeasibleStores, result: Result): TemplateResult {
   const advice = playground.adviser.advice.value;
   const remedies = advice?.remedies ?? [];
   return html`<div class="why" role="status">
@@ -19,7 +26,7 @@ export function infeasible(playground: Playground, result: Result): TemplateResu
         : html`<p>What would do${advice?.complete ? "" : ", as far as was looked"}:</p>
             <ul class="remedies">${remedies.map(
               (remedy) => html`<li>
-                <button type="button" @click=${() => playground.edit({ [remedy.change]: String(remedy.value) })}>
+                <button type="button" @click=${() => playground.solving.edit({ [remedy.change]: String(remedy.value) })}>
                   ${offer(remedy, result)}</button>
                 <small>goal difference up to ${shortNumber(remedy.goal_difference)}</small></li>`,
             )}</ul>`

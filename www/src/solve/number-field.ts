@@ -1,11 +1,27 @@
 // A whole number that may be left open: a field between two buttons, with what it means beside it. A text that is no
 // number in the range stays in the field and changes nothing; leaving the field takes the nearest number.
+
+import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { glossaryLink } from "../help/glossary-link.js";
 import type { Term } from "../help/terms.js";
+import type { Boards } from "../state/boards.js";
+import type { Form } from "../state/form.js";
+import type { Drafts } from "../state/numbers.js";
 import { type NumberName, numberIn, range, stepped } from "../state/numbers.js";
-import type { Playground } from "../state/playground.js";
+import type { Solving } from "../state/solving.js";
+import type { Timeline } from "../state/timeline.js";
+import type { Workbench } from "../state/workbench.js";
+
+export interface NumberFieldStores {
+  form: ReadonlySignal<Form>;
+  drafts: Drafts;
+  boards: Boards;
+  timeline: Timeline;
+  solving: Solving;
+  workbench: Workbench;
+}
 
 interface Words {
   label: string;
@@ -62,10 +78,10 @@ const integerProgram: Partial<Record<NumberName, Partial<Words>>> = {
 };
 
 /** `place` tells fields of the same number apart: two tabs can show it. */
-export function numberField(playground: Playground, name: NumberName, place: string): TemplateResult {
+export function numberField(playground: NumberFieldStores, name: NumberName, place: string): TemplateResult {
   const id = `${playground.workbench.id}-${place}`;
   const form = playground.form.value;
-  const scene = playground.scene.value;
+  const scene = playground.boards.scene.value;
   const said = { ...words[name], ...(form.solver === "ip" ? integerProgram[name] : {}) };
   if (name === "horizonStep" && form.horizon === "") said.open = "by one";
   const drafted = playground.drafts.texts.value[name];
@@ -74,7 +90,7 @@ export function numberField(playground: Playground, name: NumberName, place: str
   const value = form[name] === "" ? null : Number(form[name]);
   const set = (text: string) => {
     playground.drafts.drop(name);
-    if (text !== form[name]) playground.edit({ [name]: text });
+    if (text !== form[name]) playground.solving.edit({ [name]: text });
   };
   const typed = (event: Event) => {
     const text = (event.target as HTMLInputElement).value;

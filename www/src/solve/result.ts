@@ -1,16 +1,26 @@
 // What the solver is doing, or what it answered and whose plan is shown.
+
+import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
+import type { Answer, Result } from "../state/answer.js";
+import type { Form } from "../state/form.js";
 import { solvers } from "../state/form.js";
-import type { Playground, Result } from "../state/playground.js";
 import { counted, shortNumber } from "../view/numbers.js";
+import type { InfeasibleStores } from "./infeasible.js";
 import { infeasible } from "./infeasible.js";
+import type { ShownPlanStores } from "./shown-plan.js";
 import { shownPlan } from "./shown-plan.js";
 import { caveat, scope, verdict } from "./verdict.js";
 import { work } from "./work.js";
 
-export function result(playground: Playground): TemplateResult {
-  const solving = playground.status.value === "solving" && playground.slow.value;
-  const last = playground.result.value;
+export interface ResultStores extends InfeasibleStores, ShownPlanStores {
+  answer: Answer;
+  form: ReadonlySignal<Form>;
+}
+
+export function result(playground: ResultStores): TemplateResult {
+  const solving = playground.answer.status.value === "solving" && playground.answer.slow.value;
+  const last = playground.answer.result.value;
   // Only the answer is announced: progress changes many times a second.
   return html`<div class="result">
     ${solving ? working(playground) : nothing}
@@ -19,9 +29,9 @@ export function result(playground: Playground): TemplateResult {
   </div>`;
 }
 
-function working(playground: Playground): TemplateResult {
-  return html`${work(playground.progress.value, playground.stopwatch.seconds.value, "Solving")}
-    <button type="button" @click=${() => playground.cancel()}>Cancel</button>
+function working(playground: ResultStores): TemplateResult {
+  return html`${work(playground.answer.progress.value, playground.answer.stopwatch.seconds.value, "Solving")}
+    <button type="button" @click=${() => playground.solving.cancel()}>Cancel</button>
     <small>The best plan found so far is kept.</small>`;
 }
 
@@ -37,14 +47,14 @@ function figures({ outcome }: Result): string {
 }
 
 /** What can be done from here: with no plan the nearest that has one, else the solver that was chosen. */
-function further(playground: Playground, last: Result): TemplateResult {
+function further(playground: ResultStores, last: Result): TemplateResult {
   const { solver } = playground.form.value;
-  const other = solver !== last.options.solver && solver === playground.ran.value;
+  const other = solver !== last.options.solver && solver === playground.answer.ran.value;
   const stopped = solver === "exact" && ["feasible", "limit"].includes(last.outcome.status);
   return html`${last.outcome.status === "infeasible" ? infeasible(playground, last) : nothing}
     ${
       other || stopped
-        ? html`<button type="button" class="again" @click=${() => playground.solve()}>
+        ? html`<button type="button" class="again" @click=${() => playground.solving.solve()}>
             Solve again${other ? ` with ${solvers[solver].title}` : ""}</button>`
         : nothing
     }`;

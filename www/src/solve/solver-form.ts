@@ -2,23 +2,26 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
 import { type Form, reads, solverNames, solvers } from "../state/form.js";
-import type { Playground } from "../state/playground.js";
+import type { NumberFieldStores } from "./number-field.js";
 import { numberField } from "./number-field.js";
+import type { ResultStores } from "./result.js";
 import { result } from "./result.js";
 
-export function solverForm(playground: Playground): TemplateResult {
+export type SolverFormStores = NumberFieldStores & ResultStores;
+
+export function solverForm(playground: SolverFormStores): TemplateResult {
   const form = playground.form.value;
   const exact = form.solver === "exact";
   const id = `${playground.workbench.id}-solver`;
   const submit = (event: Event) => {
     event.preventDefault();
-    if (!exact) void playground.solve();
+    if (!exact) void playground.solving.solve();
   };
   return html`<form class="solver" @submit=${submit} novalidate>
     <div class="which">
       <label for=${id}>Solver</label>
       <select id=${id} aria-describedby="${id}-about"
-        @change=${(event: Event) => playground.edit({ solver: valueIn(event) as Form["solver"] })}>
+        @change=${(event: Event) => playground.solving.edit({ solver: valueIn(event) as Form["solver"] })}>
         ${solverNames.map((name) => html`<option value=${name} .selected=${name === form.solver}>${solvers[name].title}</option>`)}
       </select>
       <small id="${id}-about">${solvers[form.solver].about}${exact ? " Its answers follow at once." : ""}</small>
@@ -32,8 +35,8 @@ export function solverForm(playground: Playground): TemplateResult {
   </form>`;
 }
 
-const solveButton = (playground: Playground): TemplateResult =>
-  html`<button type="submit" class="primary" ?disabled=${playground.scene.value === null}>Solve</button>
+const solveButton = (playground: SolverFormStores): TemplateResult =>
+  html`<button type="submit" class="primary" ?disabled=${playground.boards.scene.value === null}>Solve</button>
     <small>Runs it. After every change you first see the best possible.</small>`;
 
 const encodings: [value: Form["encoding"], title: string, about: string][] = [
@@ -49,12 +52,12 @@ const encodings: [value: Form["encoding"], title: string, about: string][] = [
   ],
 ];
 
-function encoding(playground: Playground, form: Form): TemplateResult {
+function encoding(playground: SolverFormStores, form: Form): TemplateResult {
   const id = `${playground.workbench.id}-encoding`;
   return html`<div class="which">
     <label for=${id}>${glossaryLink("encoding", "Encoding")}</label>
     <select id=${id} aria-describedby="${id}-about"
-      @change=${(event: Event) => playground.edit({ encoding: valueIn(event) as Form["encoding"] })}>
+      @change=${(event: Event) => playground.solving.edit({ encoding: valueIn(event) as Form["encoding"] })}>
       ${encodings.map(([value, title]) => html`<option value=${value} .selected=${value === form.encoding}>${title}</option>`)}
     </select>
     <small id="${id}-about">${encodings.find(([value]) => value === form.encoding)?.[2]}</small>

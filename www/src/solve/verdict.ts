@@ -1,6 +1,6 @@
 // What a solver's answer means, in words.
 import type { SolveOptions } from "../core.js";
-import type { Result } from "../state/playground.js";
+import type { Result } from "../state/answer.js";
 import { counted } from "../view/numbers.js";
 
 /** In a word or two. What "bounds" are depends on what the solver heeds. */

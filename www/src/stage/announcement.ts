@@ -2,11 +2,19 @@
 import { effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
 import type { TraceStep } from "../core.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { Editing } from "../state/editing.js";
+import type { Timeline } from "../state/timeline.js";
 import { actionText } from "../view/action.js";
 import { called, type Role } from "../view/observers.js";
 import { pressed } from "../view/pressed.js";
 import { stateCount } from "./belief-size.js";
+
+export interface AnnouncerStores {
+  timeline: Timeline;
+  boards: Boards;
+  editing: Editing;
+}
 
 /** A key held down, or an edit that is solved again and again, is one change and not many. */
 const QUIET_MS = 250;
@@ -21,7 +29,7 @@ export class Announcer {
   private stop: (() => void) | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(readonly playground: Playground) {
+  constructor(readonly playground: AnnouncerStores) {
     this.said = this.words;
   }
 
@@ -48,7 +56,7 @@ export function announcement(announcer: Announcer): TemplateResult {
   return html`<p class="unseen" aria-live="polite"><span>${announcer.said.value}</span> <span>${said.value}</span></p>`;
 }
 
-function sentence({ timeline, mode }: Playground): string {
+function sentence({ timeline, boards: { mode } }: AnnouncerStores): string {
   const shown = timeline.shown.value;
   if (shown === null) return "";
   // Faster than this nobody could say the steps: then only the one where it stops is said.

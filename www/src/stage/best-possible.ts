@@ -1,11 +1,17 @@
 // The best that any plan can reach, always on the screen, and what the plan shown reaches of it.
 import { html, type TemplateResult } from "lit";
-import type { Playground, Result } from "../state/playground.js";
+import type { Answer, Result } from "../state/answer.js";
+import type { Boards } from "../state/boards.js";
 import { counted, shortNumber } from "../view/numbers.js";
 
-export function bestPossible(playground: Playground): TemplateResult {
-  const optimum = playground.optimum.value;
-  const shown = playground.difference.value;
+export interface BestPossibleStores {
+  answer: Answer;
+  boards: Boards;
+}
+
+export function bestPossible(playground: BestPossibleStores): TemplateResult {
+  const optimum = playground.answer.optimum.value;
+  const shown = playground.boards.difference.value;
   const best = optimum?.outcome.goal_difference ?? null;
   const less = best !== null && shown !== null && shown < best - 1e-9;
   if (isImpossible(playground)) return html`<p class="best">No plan can do what is asked.</p>`;
@@ -15,7 +21,7 @@ export function bestPossible(playground: Playground): TemplateResult {
 }
 
 /** It is proved that no plan does what is asked. */
-export const isImpossible = ({ optimum, result }: Playground): boolean =>
+export const isImpossible = ({ answer: { optimum, result } }: Pick<BestPossibleStores, "answer">): boolean =>
   (optimum.value ?? result.value)?.outcome.status === "infeasible";
 
 function words({ options, outcome }: Result): TemplateResult {

@@ -1,7 +1,8 @@
 // The candidate goals, and whether each is possible for each observer: at the step shown, and at the end.
 import { html, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { Timeline } from "../state/timeline.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { called, type Role, roles } from "../view/observers.js";
 import { isDelivery } from "./delivery/facts.js";
@@ -9,8 +10,13 @@ import { type GoalView, goalViews } from "./goal-attributes.js";
 import { isGrid } from "./grid/cells.js";
 import { viewOf } from "./lazy-views.js";
 
-export function goalList(playground: Playground): TemplateResult | "" {
-  const scene = playground.scene.value;
+interface GoalListStores {
+  timeline: Timeline;
+  boards: Boards;
+}
+
+export function goalList(playground: GoalListStores): TemplateResult | "" {
+  const scene = playground.boards.scene.value;
   const { shown, trace } = playground.timeline;
   const end = trace.value?.steps.at(-1);
   if (scene === null || shown.value === null || end === undefined) return "";
@@ -20,7 +26,7 @@ export function goalList(playground: Playground): TemplateResult | "" {
     const words = view?.goal?.(index) ?? "";
     return words === "" ? "" : html`<span class="asked">${words}</span>`;
   };
-  const guessing = playground.mode.value === "guess";
+  const guessing = playground.boards.mode.value === "guess";
   const shownRoles = guessing ? roles.filter((role) => role === "adversarial") : roles;
   return html`<table class="goals">
     <caption>Which ${glossaryLink("candidate-goal", "goals")} are ${glossaryLink("possible", "possible")}?</caption>
@@ -39,17 +45,17 @@ export function goalList(playground: Playground): TemplateResult | "" {
               guessing
                 ? html`<span class="name" title=${goal.name}>${goal.name}</span>`
                 : html`<button type="button" class="choose name" title="${goal.name}: show when it dies"
-                    @click=${() => playground.story.choose(goal.name)}>${goal.name}</button>`
+                    @click=${() => playground.boards.story.choose(goal.name)}>${goal.name}</button>`
             }
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
             ${asked(index)}
           </th>
-          ${shownRoles.map((role) => survival(role, goal, guessing || playground.difference.value === null ? undefined : ends[index]))}
+          ${shownRoles.map((role) => survival(role, goal, guessing || playground.boards.difference.value === null ? undefined : ends[index]))}
         </tr>`,
       )}
     </tbody>
   </table>
-  <p class="story" role="status">${guessing ? "" : playground.story.sentence.value || "Choose a goal to see when it dies, and by which symbol."}</p>`;
+  <p class="story" role="status">${guessing ? "" : playground.boards.story.sentence.value || "Choose a goal to see when it dies, and by which symbol."}</p>`;
 }
 
 function survival(role: Role, goal: GoalView, end: GoalView | undefined): TemplateResult {

@@ -1,11 +1,15 @@
 // What the signs on the boards mean.
 import { html, type SVGTemplateResult, svg, type TemplateResult } from "lit";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
 import { starPath } from "../view/icons.js";
 import { isDelivery } from "./delivery/facts.js";
 import { shelfPackage } from "./delivery/package.js";
 import { isGrid } from "./grid/cells.js";
 import { viewOf } from "./lazy-views.js";
+
+interface LegendStores {
+  boards: Boards;
+}
 
 const sample = (mark: SVGTemplateResult, meaning: string) =>
   html`<li><svg class="board" viewBox="0 0 1 1" aria-hidden="true">${mark}</svg>${meaning}</li>`;
@@ -16,8 +20,8 @@ const badge = svg`<rect class="badge" x="0.08" y="0.18" width="0.84" height="0.6
 const strike = svg`<line class="strike" x1="0.08" y1="0.82" x2="0.92" y2="0.18"></line>`;
 
 /** Only boards that are drawn need one. */
-export function legend(playground: Playground): TemplateResult | "" {
-  const scene = playground.scene.value;
+export function legend(playground: LegendStores): TemplateResult | "" {
+  const scene = playground.boards.scene.value;
   if (scene === null) return "";
   if (isDelivery(scene)) return deliverySigns;
   return isGrid(scene) ? signs : (viewOf(scene)?.legend?.() ?? "");

@@ -1,9 +1,15 @@
 // The head of a panel: who it is about, and what has just happened to them.
 import { html, type TemplateResult } from "lit";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { Timeline } from "../state/timeline.js";
 import { actionText } from "../view/action.js";
 import { agentFace, enemyEye, friendEye } from "../view/icons.js";
 import type { BoardName } from "./board-input.js";
+
+export interface PanelHeadStores {
+  timeline: Timeline;
+  boards: Boards;
+}
 
 const heads: Record<BoardName, [icon: TemplateResult, title: string]> = {
   actor: [agentFace, "What the agent does"],
@@ -11,13 +17,13 @@ const heads: Record<BoardName, [icon: TemplateResult, title: string]> = {
   cooperative: [friendEye, "What the friend believes"],
 };
 
-export function panelHead(name: BoardName, playground: Playground): TemplateResult {
+export function panelHead(name: BoardName, playground: PanelHeadStores): TemplateResult {
   const [icon, title] = heads[name];
   return html`<h2>${icon}${title}</h2>
     <p class="latest">${now(name, playground)}</p>`;
 }
 
-function now(name: BoardName, { timeline, mode }: Playground): TemplateResult | string {
+function now(name: BoardName, { timeline, boards: { mode } }: PanelHeadStores): TemplateResult | string {
   const shown = timeline.shown.value;
   if (shown === null || (mode.value === "guess" && name !== "adversarial")) return "";
   if (name === "actor") {

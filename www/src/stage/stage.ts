@@ -1,33 +1,49 @@
 // The stage: the agent in the middle, the enemy on one side and the friend on the other, all at the same step.
 import { html, nothing, type TemplateResult } from "lit";
+import type { WalkKeyStores } from "../play/walk-keys.js";
 import { hasWalkKeys, walkByKey, walkByPointer } from "../play/walk-keys.js";
-import type { Playground } from "../state/playground.js";
+import type { Answer } from "../state/answer.js";
 import type { BoardInput, BoardName } from "./board-input.js";
+import type { GoalDifferenceStores } from "./goal-difference.js";
 import { goalDifference } from "./goal-difference.js";
+import type { BoardStores } from "./lazy-views.js";
+import type { PanelHeadStores } from "./panel-head.js";
 import { panelHead } from "./panel-head.js";
 import { picture } from "./picture.js";
+import type { SurvivorStores } from "./survivors.js";
 import { survivors } from "./survivors.js";
+import type { SymbolStores } from "./symbols.js";
 import { symbols } from "./symbols.js";
+
+export interface StageStores
+  extends BoardStores,
+    WalkKeyStores,
+    GoalDifferenceStores,
+    PanelHeadStores,
+    SurvivorStores,
+    SymbolStores {
+  answer: Answer;
+}
 
 const boardNames: readonly BoardName[] = ["actor", "adversarial", "cooperative"];
 
 /** While the person walks, the agent's board takes arrow keys and touches. */
-function walkable(name: BoardName, input: BoardInput, playground: Playground): TemplateResult {
+function walkable(name: BoardName, input: BoardInput, playground: StageStores): TemplateResult {
   const drawn = picture(name, input, playground);
-  if (name !== "actor" || playground.mode.value !== "walk" || !hasWalkKeys(input.scene)) return drawn;
+  if (name !== "actor" || playground.boards.mode.value !== "walk" || !hasWalkKeys(input.scene)) return drawn;
   return html`<div class="walkable" tabindex="0" role="application" aria-label="The agent's board: walk with the arrow keys"
     @keydown=${(event: KeyboardEvent) => walkByKey(playground, event)}
     @click=${(event: MouseEvent) => walkByPointer(playground, event)}>${drawn}</div>`;
 }
 
-export function stage(playground: Playground): TemplateResult {
-  const scene = playground.scene.value;
+export function stage(playground: StageStores): TemplateResult {
+  const scene = playground.boards.scene.value;
   const { trace, shown, step } = playground.timeline;
   if (scene === null || trace.value === null || shown.value === null) {
-    return html`<p class="waiting">${playground.error.value === null ? "Loading…" : "There is nothing to show."}</p>`;
+    return html`<p class="waiting">${playground.answer.error.value === null ? "Loading…" : "There is nothing to show."}</p>`;
   }
   const input = { scene, trace: trace.value, step: step.value, shown: shown.value };
-  const guessing = playground.mode.value === "guess";
+  const guessing = playground.boards.mode.value === "guess";
   return html`<div class="stage">
     ${boardNames.map((name) => {
       const hidden = guessing && name !== "adversarial";

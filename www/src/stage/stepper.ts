@@ -1,12 +1,17 @@
 // Walking through the steps: buttons, a slider, the speed, and the keys that a slider has.
 import { html, type TemplateResult } from "lit";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
 import { type Speed, speeds, type Timeline } from "../state/timeline.js";
 import { back, first, forward, last, pause, play } from "../view/icons.js";
 
+interface StepperStores {
+  timeline: Timeline;
+  boards: Boards;
+}
+
 const speedNames: Record<Speed, string> = { 0.75: "½×", 1.5: "1×", 3: "2×", 6: "4×" };
 
-export function stepper({ timeline, mode }: Playground): TemplateResult {
+export function stepper({ timeline, boards: { mode } }: StepperStores): TemplateResult {
   const step = timeline.step.value;
   const end = timeline.lastStep.value;
   // How long the way is could tell which goal it leads to: who guesses learns it by walking it.

@@ -1,7 +1,7 @@
 // The goals that an observer still thinks possible at the step shown.
 import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { wholeNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
@@ -10,10 +10,18 @@ import type { BoardInput } from "./board-input.js";
 import { goalViews } from "./goal-attributes.js";
 import { isGrid } from "./grid/cells.js";
 
+export interface SurvivorStores {
+  boards: Boards;
+}
+
 /** More goals than these are a list to scroll. */
 const MANY = 12;
 
-export function survivors(role: Role, { scene, shown }: BoardInput, { story, mode }: Playground): TemplateResult {
+export function survivors(
+  role: Role,
+  { scene, shown }: BoardInput,
+  { boards: { story, mode } }: SurvivorStores,
+): TemplateResult {
   const goals = goalViews(scene, shown);
   const count = goals.filter((goal) => goal.alive[role]).length;
   const states = stateCount(shown, role);

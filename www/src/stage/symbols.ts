@@ -1,9 +1,15 @@
 // All that an observer was told so far, or all that the agent did, one mark a step. Choosing one shows its step.
 import { html, type TemplateResult } from "lit";
 import type { TraceStep } from "../core.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { Timeline } from "../state/timeline.js";
 import { actionText } from "../view/action.js";
 import type { BoardName } from "./board-input.js";
+
+export interface SymbolStores {
+  timeline: Timeline;
+  boards: Boards;
+}
 
 const labels: Record<BoardName, string> = {
   actor: "Actions so far",
@@ -11,12 +17,12 @@ const labels: Record<BoardName, string> = {
   cooperative: "What the friend was told so far",
 };
 
-export function symbols(name: BoardName, playground: Playground): TemplateResult {
+export function symbols(name: BoardName, playground: SymbolStores): TemplateResult {
   const { trace, step } = playground.timeline;
   const of = (shown: TraceStep) => (name === "actor" ? actionText(shown.action) : shown.symbols[name]);
   const steps = trace.value?.steps.slice(1) ?? [];
   // As the enemy one sees what has come, not what will.
-  const seen = playground.mode.value === "guess" ? steps.slice(0, step.value) : steps;
+  const seen = playground.boards.mode.value === "guess" ? steps.slice(0, step.value) : steps;
   return html`<ol class="symbols" aria-label=${labels[name]}>
     ${seen.map((shown, index) => {
       const at = index + 1;

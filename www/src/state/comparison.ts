@@ -1,10 +1,13 @@
-// All solvers on the problem shown, one after another, in a worker of their own: what is solved live stays instant.
+// All solvers on the problem shown, one after another, beside what is solved live.
 import { batch, computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Progress, SolveOptions } from "../core.js";
-import { type Ending, SolverClient } from "../worker/client.js";
+import type { Ending } from "../worker/client.js";
 import { runWithin } from "../worker/patience.js";
+import { TaskRunner } from "../worker/runner.js";
+import type { Result } from "./answer.js";
 import { emptyForm, type Form, optionsOf, solvers } from "./form.js";
-import type { OpenDocument, Playground, Result } from "./playground.js";
+import { lost } from "./lost.js";
+import type { OpenDocument, OpenProblem } from "./open-problem.js";
 import { Stopwatch } from "./stopwatch.js";
 
 export interface Entrant {
@@ -39,6 +42,11 @@ export interface Row {
   message?: string;
 }
 
+interface Stores {
+  problem: Pick<OpenProblem, "document">;
+  form: ReadonlySignal<Form>;
+}
+
 export class Comparison {
   readonly rows = signal<readonly Row[]>(entrants.map((entrant) => ({ entrant, state: "waiting" })));
   readonly running = signal(false);
@@ -49,27 +57,27 @@ export class Comparison {
   readonly patience = signal<number>(initialPatience);
   /** What was compared: null before the first time. */
   private readonly asked = signal<{ document: OpenDocument; bounds: string } | null>(null);
-  private readonly client = new SolverClient();
+  private readonly runner = new TaskRunner("later");
   private ended: Row["ended"];
 
   readonly started: ReadonlySignal<boolean> = computed(() => this.asked.value !== null);
   /** What is shown belongs to an earlier problem, or to other bounds. */
   readonly outdated: ReadonlySignal<boolean> = computed(() => {
     const asked = this.asked.value;
-    const document = this.playground.document.value;
-    return asked !== null && (asked.document !== document || asked.bounds !== boundsOf(this.playground.form.value));
+    const document = this.stores.problem.document.value;
+    return asked !== null && (asked.document !== document || asked.bounds !== boundsOf(this.stores.form.value));
   });
 
-  constructor(private readonly playground: Playground) {
+  constructor(private readonly stores: Stores) {
     effect(() => {
       if (this.outdated.value) this.drop();
     });
   }
 
   async start(): Promise<void> {
-    const document = this.playground.document.value;
+    const document = this.stores.problem.document.value;
     if (document === null || this.running.peek()) return;
-    const form = this.playground.form.value;
+    const form = this.stores.form.value;
     const asked = { document, bounds: boundsOf(form) };
     batch(() => {
       this.cancelled.value = false;
@@ -104,19 +112,19 @@ export class Comparison {
 
   private end(how: Row["ended"]): void {
     this.ended = how;
-    this.client.cancel();
+    this.runner.cancel();
   }
 
   dispose(): void {
     this.drop();
-    this.client.dispose();
+    this.runner.dispose();
   }
 
-  /** Nobody wants the answers any more. */
+  /** The answers are no longer of use. */
   private drop(): void {
     if (!this.running.peek()) return;
     this.cancelled.value = true;
-    this.client.drop();
+    this.runner.drop();
   }
 
   private async runOne(index: number, document: OpenDocument, options: SolveOptions): Promise<void> {
@@ -125,13 +133,14 @@ export class Comparison {
     this.progress.value = null;
     this.stopwatch.start();
     const ending = await runWithin(
-      this.client,
+      this.runner,
       { kind: "solve", document: document.text, options },
       {
         milliseconds: this.patience.peek() * 1000,
         report: (update) => {
           if (update.kind === "progress") this.progress.value = update.progress;
-          // Before, the worker was still loading.
+          if (update.kind === "waiting") this.progress.value = null;
+          // Before, the worker was still loading, or another task had it.
           if (update.kind === "started") this.stopwatch.start();
         },
         over: () => {
@@ -164,9 +173,7 @@ function rowOf(
     };
   }
   if (ending.kind === "refused") return { state: "failed", message: ending.message };
-  if (ending.kind === "lost") {
-    return { state: "failed", message: `The solver stopped unexpectedly (${ending.message}); another took its place.` };
-  }
+  if (ending.kind === "lost") return { state: "failed", message: lost(ending) };
   return { state: "left out" };
 }
 

@@ -1,89 +1,73 @@
 // Documents come and go: opening, editing with the best plan following, undoing.
-import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import type { Signal } from "@preact/signals-core";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
+import type { Answer } from "./answer.js";
+import type { Editing } from "./editing.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
-import { History } from "./history.js";
-import type { OpenDocument } from "./result.js";
-import { Session } from "./session.js";
+import type { OpenDocument, OpenProblem } from "./open-problem.js";
+import type { Solving } from "./solving.js";
 
-export abstract class Edits extends Session {
-  readonly history = new History<OpenDocument>();
-  readonly canReset: ReadonlySignal<boolean> = computed(() => {
-    const text = this.document.value?.text;
-    return this.origin.value !== null && text !== this.origin.value.text && text !== this.opening.value;
-  });
+interface Stores {
+  problem: OpenProblem;
+  answer: Pick<Answer, "ran">;
+  editing: Pick<Editing, "drag">;
+  form: Signal<Form>;
+  solving: Pick<Solving, "clear" | "follow" | "open" | "refuse">;
+}
 
-  /** The document as it was opened, before any edit. */
-  readonly origin = signal<OpenDocument | null>(null);
-  /** The text of a document that is being opened: it is shown before it is solved. */
-  private readonly opening = signal<string | null>(null);
+export class Edits {
   /** The document before the edit under way. */
   private before: OpenDocument | null = null;
 
-  /** Puts the history back as it was while this document was on the page, should the change from it come to nothing. */
-  private kept: { document: OpenDocument | null; putBack: () => void } | null = null;
-
-  /** What the next edit starts from. */
-  get latest(): ProblemDocument | null {
-    return (this.wanted ?? this.document.value)?.value ?? null;
-  }
+  constructor(private readonly stores: Stores) {}
 
   /**
    * Opens a document and solves it: exactly, or with the solver chosen. One that can't be read leaves everything as it
    * was.
    */
   async open(text: string, form: Partial<Form> = {}, solver: "exact" | "chosen" = "exact"): Promise<boolean> {
-    let value: ProblemDocument;
-    try {
-      value = JSON.parse(text);
-    } catch {
-      // The core has the better words for it: let it refuse the text.
-      value = { format: "explicit" };
-    }
-    const document = { text, value };
-    const before = this.document.value;
-    const asked = this.form.value;
-    const fitting = { ...emptyForm, solver: asked.solver, encoding: asked.encoding, ...form };
-    this.form.value = fitting;
-    this.live.clear();
+    const { problem, answer, editing, form: asked, solving } = this.stores;
+    // What is being dragged belongs to the problem that was open.
+    editing.drag.value = null;
+    const document = { text, value: documentIn(text) };
+    const before = problem.document.value;
+    const asking = asked.value;
+    const fitting = { ...emptyForm, solver: asking.solver, encoding: asking.encoding, ...form };
+    asked.value = fitting;
+    solving.clear();
     this.before = null;
-    this.wanted = document;
+    problem.want(document);
     const exact = exactOptions(fitting);
     const options = solver === "exact" ? exact : optionsOf(fitting);
-    if (typeof options === "string") {
-      this.refuse(options);
+    if (typeof options === "string" || typeof exact === "string") {
+      solving.refuse(typeof options === "string" ? options : String(exact));
       return false;
     }
-    this.asked = JSON.stringify(exact);
-    this.begin();
-    this.opening.value = text;
-    await this.perform({ document, options, at: "end" });
-    if (this.document.value === document) this.origin.value = document;
-    if (this.opening.value === text) this.opening.value = null;
-    if (this.document.value !== document) {
+    problem.opening.value = text;
+    await solving.open(document, options, exact);
+    if (problem.document.value === document) problem.origin.value = document;
+    if (problem.opening.value === text) problem.opening.value = null;
+    if (problem.document.value !== document) {
       // Another document may have been asked for meanwhile, with a form of its own.
-      if (this.form.value === fitting && this.document.value === before) this.form.value = asked;
+      if (asked.value === fitting && problem.document.value === before) asked.value = asking;
       return false;
     }
-    if (before !== null && before.text !== text) this.history.record(before);
-    this.ran.value = solver === "exact" ? null : options.solver;
+    if (before !== null && before.text !== text) problem.history.record(before);
+    answer.ran.value = solver === "exact" ? null : options.solver;
     return true;
   }
 
   /** Shows an edit with its best plan while it is being made: while something is dragged, say. */
   preview(value: ProblemDocument): void {
-    this.before ??= this.wanted ?? this.document.value;
-    this.wanted = { value, text: written(value) };
-    this.solveLive(this.wanted);
+    this.before ??= this.stores.problem.newest;
+    this.follow({ value, text: written(value) });
   }
 
   /** The edit is made: it can be undone. */
   commit(): void {
-    if (this.before !== null && this.before.text !== (this.wanted ?? this.document.value)?.text) {
-      if (this.before === this.document.value) this.keepHistory();
-      this.history.record(this.before);
-    }
+    const { problem } = this.stores;
+    if (this.before !== null && this.before.text !== problem.newest?.text) problem.record(this.before);
     this.before = null;
   }
 
@@ -91,9 +75,7 @@ export abstract class Edits extends Session {
   takeBack(): void {
     const before = this.before;
     this.before = null;
-    if (before === null) return;
-    this.wanted = before;
-    this.solveLive(before);
+    if (before !== null) this.follow(before);
   }
 
   /** Makes an edit at once. */
@@ -103,37 +85,37 @@ export abstract class Edits extends Session {
   }
 
   undo(): void {
-    this.travel((present) => this.history.undo(present));
+    this.travel("undo");
   }
 
   redo(): void {
-    this.travel((present) => this.history.redo(present));
+    this.travel("redo");
   }
 
   /** Takes every edit back; that, too, can be undone. */
   reset(): void {
-    if (this.origin.value !== null) this.apply(this.origin.value.value);
+    const origin = this.stores.problem.origin.value;
+    if (origin !== null) this.apply(origin.value);
   }
 
-  protected override editRefused(): void {
-    const present = this.document.value;
-    if (this.kept?.document === present) this.kept?.putBack();
-    else if (present !== null) this.history.forget(present);
-    this.kept = null;
-  }
-
-  private keepHistory(): void {
-    const document = this.document.value;
-    if (this.kept?.document !== document) this.kept = { document, putBack: this.history.keep() };
-  }
-
-  private travel(step: (present: OpenDocument) => OpenDocument | undefined): void {
-    const present = this.wanted ?? this.document.value;
-    this.keepHistory();
-    const target = present === null ? undefined : step(present);
+  private travel(way: "undo" | "redo"): void {
+    const target = this.stores.problem.travel(way);
     if (target === undefined) return;
     this.before = null;
-    this.wanted = target;
-    this.solveLive(target);
+    this.follow(target);
+  }
+
+  private follow(document: OpenDocument): void {
+    this.stores.problem.want(document);
+    this.stores.solving.follow(document);
+  }
+}
+
+function documentIn(text: string): ProblemDocument {
+  try {
+    return JSON.parse(text);
+  } catch {
+    // The core has the better words for it: let it refuse the text.
+    return { format: "explicit" };
   }
 }

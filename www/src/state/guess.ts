@@ -2,10 +2,15 @@
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { BeliefSummary, Scene, Trace, TraceStep } from "../core.js";
 import { written } from "../problem/text.js";
-import { type Ending, SolverClient } from "../worker/client.js";
-import type { Playground } from "./playground.js";
+import type { Ending } from "../worker/client.js";
+import { runWithin } from "../worker/patience.js";
+import { TaskRunner } from "../worker/runner.js";
+import type { Boards } from "./boards.js";
+import type { OpenProblem } from "./open-problem.js";
+import type { Plans } from "./plans.js";
+import type { Timeline } from "./timeline.js";
 
-/** Nobody waits longer for the other player. */
+/** The other player must be ready by then. */
 const PATIENCE_MS = 5000;
 
 export type Round =
@@ -16,27 +21,34 @@ export type Round =
   | { kind: "over"; guess: string; goal: string; step: number; possible: number }
   | { kind: "impossible" };
 
+interface Stores {
+  problem: Pick<OpenProblem, "document" | "scene">;
+  boards: Boards;
+  timeline: Pick<Timeline, "step">;
+  plans: Pick<Plans, "showAnswer">;
+}
+
 export class Guess {
   readonly round = signal<Round>({ kind: "none" });
   readonly played = signal(0);
   readonly right = signal(0);
   readonly under: ReadonlySignal<boolean> = computed(() => this.round.value.kind === "guessing");
 
-  private readonly hider = new SolverClient();
+  private readonly hider = new TaskRunner("now");
   private hidden: { goal: string; scene: Scene; trace: Trace } | null = null;
-  /** The scene to come back to. */
-  private own: Scene | null = null;
 
-  constructor(private readonly playground: Playground) {}
+  constructor(private readonly stores: Stores) {
+    // What the boards show by then is another plan's.
+    stores.boards.replaced.add(() => this.end());
+  }
 
   /** Draws a goal and has a best plan for it walked in secret. */
   async start(): Promise<void> {
-    const { document, scene } = this.playground;
-    this.own ??= scene.value;
+    const { document, scene } = this.stores.problem;
     const open = document.value;
-    if (open === null || this.own === null) return;
+    if (open === null || scene.value === null) return;
     this.round.value = { kind: "hiding" };
-    const goals = this.own.goals.map(({ name }) => name);
+    const goals = scene.value.goals.map(({ name }) => name);
     while (goals.length > 0) {
       const [goal = ""] = goals.splice(drawn(goals.length), 1);
       const secret = written({ ...open.value, true_goal: goal } as typeof open.value);
@@ -57,16 +69,13 @@ export class Guess {
     return this.patiently(document, "search");
   }
 
-  private async patiently(document: string, solver: "exact" | "search"): Promise<Ending> {
-    const timer = setTimeout(() => this.hider.cancel(), PATIENCE_MS);
-    const ending = await this.hider.run({ kind: "solve", document, options: { solver } });
-    clearTimeout(timer);
-    return ending;
+  private patiently(document: string, solver: "exact" | "search"): Promise<Ending> {
+    return runWithin(this.hider, { kind: "solve", document, options: { solver } }, { milliseconds: PATIENCE_MS });
   }
 
   /** Says which goal the agent is after. */
   guess(guess: string): void {
-    const { timeline } = this.playground;
+    const { timeline, boards } = this.stores;
     if (this.hidden === null || this.round.value.kind !== "guessing") return;
     const { goal, scene, trace } = this.hidden;
     const step = timeline.step.value;
@@ -75,15 +84,15 @@ export class Guess {
       if (guess === goal) this.right.value += 1;
       const possible = trace.steps[step]?.goals.adversarial.length ?? 0;
       this.round.value = { kind: "over", guess, goal, step, possible };
-      this.playground.scene.value = scene;
-      this.playground.showWalk("plan", trace, "end");
+      boards.disguise.value = scene;
+      boards.showSteps("plan", trace, "end");
     });
   }
 
   /** Puts everything back as it was before the game. */
   leave(): void {
     this.end();
-    this.playground.showResult();
+    this.stores.plans.showAnswer();
   }
 
   /** The document has changed: the game is over, and what is shown is somebody else's. */
@@ -92,9 +101,8 @@ export class Guess {
     this.hider.drop();
     batch(() => {
       this.round.value = { kind: "none" };
-      if (this.own !== null) this.playground.scene.value = this.own;
+      this.stores.boards.disguise.value = null;
     });
-    this.own = null;
     this.hidden = null;
   }
 
@@ -103,12 +111,13 @@ export class Guess {
   }
 
   private hide(goal: string, scene: Scene, trace: Trace): void {
+    const { boards } = this.stores;
     this.hidden = { goal, scene, trace };
     batch(() => {
       this.round.value = { kind: "guessing" };
       // No view can tell which goal is the true one.
-      this.playground.scene.value = { ...scene, true_goal: "" };
-      this.playground.showWalk("guess", { ...trace, goal_difference: 0, steps: trace.steps.map(enemysView) }, "start");
+      boards.disguise.value = { ...scene, true_goal: "" };
+      boards.showSteps("guess", { ...trace, goal_difference: 0, steps: trace.steps.map(enemysView) }, "start");
     });
   }
 }

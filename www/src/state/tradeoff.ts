@@ -1,11 +1,15 @@
 // What plans can reach: every pair of survivor counts, and the best of every length. Both follow the problem while they
-// are looked at, in a worker of their own.
+// are looked at.
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { LengthPoint, Outcome, Progress, SolveOptions } from "../core.js";
-import { type Ending, SolverClient } from "../worker/client.js";
+import type { Ending } from "../worker/client.js";
 import { runWithin } from "../worker/patience.js";
-import type { OpenDocument, Playground } from "./playground.js";
+import { TaskRunner } from "../worker/runner.js";
+import type { Form } from "./form.js";
+import { lost } from "./lost.js";
+import type { OpenDocument, OpenProblem } from "./open-problem.js";
 import { Stopwatch } from "./stopwatch.js";
+import type { Workbench } from "./workbench.js";
 
 export type Pair = NonNullable<Outcome["pareto"]>[number];
 
@@ -34,6 +38,12 @@ const PATIENCE_S = 3;
 /** The core looks at no more. */
 const MOST_LENGTHS = 1000;
 
+interface Stores {
+  problem: Pick<OpenProblem, "document">;
+  form: ReadonlySignal<Form>;
+  workbench: Pick<Workbench, "tab">;
+}
+
 export class Tradeoff {
   readonly pairs = signal<Pairs | null>(null);
   readonly lengths = signal<Lengths | null>(null);
@@ -48,33 +58,36 @@ export class Tradeoff {
   /** A worker did not stop when it was asked to, and another took its place. */
   readonly replaced = signal(false);
   private readonly patience = signal(PATIENCE_S);
-  private readonly client = new SolverClient();
+  private readonly runner = new TaskRunner("later");
+  /** How often it was asked to look again at the same. */
+  private readonly again = signal(0);
   private run = 0;
 
   /** Whether what is shown is of the problem that is open. */
-  readonly current: ReadonlySignal<boolean> = computed(
-    () => this.pairs.value !== null && this.pairs.value.document === this.playground.document.value,
-  );
-  private readonly bounds: ReadonlySignal<string> = computed(() => {
-    const { k, j } = this.playground.form.value;
-    return JSON.stringify({ ...(k === "" ? {} : { k: Number(k) }), ...(j === "" ? {} : { j: Number(j) }) });
-  });
+  readonly current: ReadonlySignal<boolean>;
 
-  constructor(private readonly playground: Playground) {
+  constructor({ problem, form, workbench }: Stores) {
+    this.current = computed(() => this.pairs.value !== null && this.pairs.value.document === problem.document.value);
+    // As text: the same bounds again are no reason to look again.
+    const bounds = computed(() => {
+      const { k, j } = form.value;
+      return JSON.stringify({ ...(k === "" ? {} : { k: Number(k) }), ...(j === "" ? {} : { j: Number(j) }) });
+    });
     effect(() => {
-      const document = playground.document.value;
-      if (document === null || playground.workbench.tab.value !== "trade-off") {
+      const document = problem.document.value;
+      if (document === null || workbench.tab.value !== "trade-off") {
         this.stop();
         return;
       }
-      const asked = { bounds: JSON.parse(this.bounds.value) as Bounds, extra: this.extra.value };
+      this.again.value;
+      const asked = { bounds: JSON.parse(bounds.value) as Bounds, extra: this.extra.value };
       void this.look(document, asked, this.patience.value);
     });
   }
 
   /** Ends the work with what is known by then. */
   cancel(): void {
-    this.client.cancel();
+    this.runner.cancel();
   }
 
   lookLonger(): void {
@@ -84,18 +97,17 @@ export class Tradeoff {
 
   retry(): void {
     this.pairs.value = null;
-    // A new value of the same size: the effect looks again.
-    this.patience.value += 0.001;
+    this.again.value += 1;
   }
 
   dispose(): void {
     this.stop();
-    this.client.dispose();
+    this.runner.dispose();
   }
 
   private stop(): void {
     this.run += 1;
-    this.client.drop();
+    this.runner.drop();
     this.stopwatch.stop();
     this.busy.value = false;
   }
@@ -154,7 +166,7 @@ export class Tradeoff {
 
   private solve(document: OpenDocument, options: SolveOptions, patience: number): Promise<Ending> {
     return runWithin(
-      this.client,
+      this.runner,
       { kind: "solve", document: document.text, options },
       {
         milliseconds: patience * 1000,
@@ -168,9 +180,7 @@ export class Tradeoff {
   private fail(ending: Ending): void {
     this.stop();
     if (ending.kind === "refused") this.error.value = ending.message;
-    if (ending.kind === "lost") {
-      this.error.value = `The solver stopped unexpectedly (${ending.message}). Another took its place; your problem is as it was.`;
-    }
+    if (ending.kind === "lost") this.error.value = lost(ending);
   }
 }
 

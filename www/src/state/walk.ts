@@ -1,14 +1,24 @@
 // You are the agent: a walk made by hand, step by step, and how good it is.
 import { batch, signal } from "@preact/signals-core";
 import type { NextAction, Trace } from "../core.js";
-import { SolverClient } from "../worker/client.js";
 import type { Answered } from "../worker/protocol.js";
-import type { Playground } from "./playground.js";
+import { TaskRunner } from "../worker/runner.js";
+import type { Boards } from "./boards.js";
+import type { OpenProblem } from "./open-problem.js";
+import type { Plans } from "./plans.js";
+import type { Timeline } from "./timeline.js";
 
 export type Verdict =
   | { kind: "walking" }
   | { kind: "comparing"; difference: number; moves: number }
   | { kind: "compared"; difference: number; moves: number; best: Answered };
+
+interface Stores {
+  problem: Pick<OpenProblem, "document">;
+  boards: Boards;
+  timeline: Pick<Timeline, "step">;
+  plans: Plans;
+}
 
 export class Walk {
   /** What can be done after the step shown. */
@@ -21,11 +31,11 @@ export class Walk {
   private plan: readonly string[] = [];
   /** The step that `next` belongs to. */
   private asked = -1;
-  private readonly judge = new SolverClient();
+  private readonly judge = new TaskRunner("soon");
   /** One step after the other, however fast the keys come. */
   private queue: Promise<void> = Promise.resolve();
 
-  constructor(private readonly playground: Playground) {}
+  constructor(private readonly stores: Stores) {}
 
   start(): Promise<void> {
     this.message.value = "";
@@ -41,8 +51,8 @@ export class Walk {
   /** Takes an action from the step shown; what was walked beyond it is left. */
   take(action: string): Promise<void> {
     return this.enqueue(async () => {
-      if (this.playground.mode.value !== "walk") return;
-      await this.show([...this.plan.slice(0, this.playground.timeline.step.value), action], action);
+      if (this.stores.boards.mode.value !== "walk") return;
+      await this.show([...this.plan.slice(0, this.stores.timeline.step.value), action], action);
     });
   }
 
@@ -53,11 +63,12 @@ export class Walk {
 
   /** Another step may be shown: then something else can be done. */
   async follow(): Promise<void> {
-    const step = this.playground.timeline.step.value;
-    if (this.playground.mode.value !== "walk" || step === this.asked) return;
+    const { boards, timeline, plans } = this.stores;
+    const step = timeline.step.value;
+    if (boards.mode.value !== "walk" || step === this.asked) return;
     this.asked = step;
     await this.enqueue(async () => {
-      const walked = await this.playground.walk(this.plan.slice(0, step));
+      const walked = await plans.walk(this.plan.slice(0, step));
       if (walked !== null && typeof walked !== "string" && this.asked === step) this.next.value = walked.next;
     });
   }
@@ -65,12 +76,12 @@ export class Walk {
   async showBest(): Promise<void> {
     const verdict = this.verdict.value;
     if (verdict.kind !== "compared" || verdict.best.plan === null) return;
-    await this.playground.showPlan(verdict.best.plan, `The best plan with ${verdict.moves} actions`);
+    await this.stores.plans.show(verdict.best.plan, `The best plan with ${verdict.moves} actions`);
   }
 
   leave(): void {
     this.judge.drop();
-    this.playground.showResult();
+    this.stores.plans.showAnswer();
   }
 
   dispose(): void {
@@ -83,7 +94,7 @@ export class Walk {
   }
 
   private async show(plan: readonly string[], action?: string): Promise<void> {
-    const walked = await this.playground.walk([...plan]);
+    const walked = await this.stores.plans.walk([...plan]);
     if (walked === null) return;
     if (typeof walked === "string") {
       this.message.value = action === undefined ? walked : `You can't do “${action}” here.`;
@@ -96,13 +107,13 @@ export class Walk {
       this.next.value = next;
       this.message.value = "";
       this.wanted.value = "";
-      this.playground.showWalk("walk", trace, "end");
+      this.stores.boards.showSteps("walk", trace, "end");
     });
     await this.compare(plan, trace);
   }
 
   private async compare(plan: readonly string[], trace: Trace): Promise<void> {
-    const document = this.playground.document.value;
+    const document = this.stores.problem.document.value;
     if (!trace.valid || document === null) {
       this.judge.drop();
       this.verdict.value = { kind: "walking" };
@@ -111,7 +122,7 @@ export class Walk {
     const own = { difference: trace.goal_difference, moves: plan.length };
     this.verdict.value = { kind: "comparing", ...own };
     const options = { solver: "exact", horizon: plan.length } as const;
-    // Nobody should have to wait for it with the next step.
+    // The next step does not wait for it.
     void this.judge.run({ kind: "solve", document: document.text, options }).then((ending) => {
       if (ending.kind === "solved" && this.plan === plan) {
         this.verdict.value = { kind: "compared", ...own, best: ending.outcome };

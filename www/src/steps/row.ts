@@ -1,7 +1,7 @@
 // One step as a row of words and numbers, for the table and for the file.
 import type { TraceStep } from "../core.js";
 import { stateCount } from "../stage/belief-size.js";
-import type { Mode } from "../state/playground.js";
+import type { Mode } from "../state/boards.js";
 import { type Role, roles } from "../view/observers.js";
 
 export interface StepRow {

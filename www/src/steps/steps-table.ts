@@ -1,19 +1,27 @@
 // The table of the steps: what the boards show, in words and numbers. Choosing a row shows its step.
 import { html, nothing, type TemplateResult } from "lit";
+import type { Gallery } from "../gallery/gallery.js";
 import { glossaryLink } from "../help/glossary-link.js";
-import type { Playground } from "../state/playground.js";
+import type { Boards } from "../state/boards.js";
+import type { Timeline } from "../state/timeline.js";
 import { download } from "../view/download.js";
 import { shortNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
 import { csv } from "./csv.js";
 import { rolesSeen, type StepRow, stepRow } from "./row.js";
 
-export function stepsTable(playground: Playground): TemplateResult | "" {
+export interface StepsTableStores {
+  timeline: Timeline;
+  boards: Boards;
+  gallery: Gallery;
+}
+
+export function stepsTable(playground: StepsTableStores): TemplateResult | "" {
   const { timeline } = playground;
   const trace = timeline.trace.value;
   if (trace === null) return "";
-  const guessing = playground.mode.value === "guess";
-  const seen = rolesSeen(playground.mode.value);
+  const guessing = playground.boards.mode.value === "guess";
+  const seen = rolesSeen(playground.boards.mode.value);
   // As the enemy one sees what has come, not what will.
   const steps = guessing ? trace.steps.slice(0, timeline.step.value + 1) : trace.steps;
   return html`<div class="steps">
@@ -50,7 +58,7 @@ export function stepsTable(playground: Playground): TemplateResult | "" {
   </div>`;
 }
 
-function row(playground: Playground, step: StepRow, seen: readonly Role[], guessing: boolean): TemplateResult {
+function row(playground: StepsTableStores, step: StepRow, seen: readonly Role[], guessing: boolean): TemplateResult {
   const { timeline } = playground;
   const current = step.step === timeline.step.value;
   return html`<tr aria-current=${current ? "step" : nothing} @click=${() => timeline.goTo(step.step)}>
@@ -75,7 +83,7 @@ const listed = (names: readonly string[]) =>
 /** More would make rows that nobody reads; the boards and the file have them. */
 const MOST_NAMES = 8;
 
-function save({ timeline, gallery }: Playground): void {
+function save({ timeline, gallery }: StepsTableStores): void {
   const trace = timeline.trace.value;
   if (trace === null) return;
   download(csv(trace), "text/csv", `${gallery.current.value?.name ?? "problem"}-steps.csv`);

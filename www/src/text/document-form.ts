@@ -1,20 +1,23 @@
 // The problem as its document: typed, pasted, read from a file, or saved as one.
 import { html, nothing, type TemplateResult } from "lit";
+import type { FileStores } from "../share/files.js";
 import { openFile, saveFile } from "../share/files.js";
-import type { Playground } from "../state/playground.js";
 import { newMenu } from "./new-menu.js";
+import type { TextTabStores } from "./text-tab.js";
 import { TextTab, type View } from "./text-tab.js";
 
-/** The fields stay with their playground, with the cursor and all that can be undone in them. */
-const tabs = new WeakMap<Playground, TextTab>();
+export type DocumentFormStores = TextTabStores & FileStores;
 
-function tabOf(playground: Playground): TextTab {
+/** The fields stay with their playground, with the cursor and all that can be undone in them. */
+const tabs = new WeakMap<DocumentFormStores, TextTab>();
+
+function tabOf(playground: DocumentFormStores): TextTab {
   const tab = tabs.get(playground) ?? new TextTab(playground);
   tabs.set(playground, tab);
   return tab;
 }
 
-export function documentForm(playground: Playground): TemplateResult {
+export function documentForm(playground: DocumentFormStores): TemplateResult {
   const { draft } = playground;
   const tab = tabOf(playground);
   const { view, hasParts, elements } = tab.follow();
@@ -41,7 +44,7 @@ export function documentForm(playground: Playground): TemplateResult {
     <div class="actions">
       <button type="submit" class="primary" aria-keyshortcuts="Control+Enter">Use this problem</button>
       <button type="button" ?disabled=${!draft.changed.value} @click=${() => tab.forget()}>Undo typing</button>
-      <button type="button" ?disabled=${playground.document.value === null} @click=${() => saveFile(playground)}>Save as a file</button>
+      <button type="button" ?disabled=${playground.problem.document.value === null} @click=${() => saveFile(playground)}>Save as a file</button>
       <label class="file">
         <span>Open a file</span>
         <input type="file" accept=".json,application/json" @change=${(event: Event) => chosen(playground, event)} />
@@ -70,7 +73,7 @@ const titles = ["Domain (PDDL)", "Problem (PDDL)", "Goals and observers (JSON)"]
 const named = (element: HTMLElement, view: View, index: number): TemplateResult =>
   html`<div class="named-field"><span class="field-name" aria-hidden="true">${view === "json" ? "Problem document (JSON)" : titles[index]}</span>${element}</div>`;
 
-function chosen(playground: Playground, event: Event): void {
+function chosen(playground: DocumentFormStores, event: Event): void {
   const input = event.target as HTMLInputElement;
   const file = input.files?.[0];
   // The same file, changed, can then be chosen again.

@@ -1,9 +1,17 @@
 // What stands in the document's text field: the document that is open, or what somebody is making of it.
 import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import type { Answer } from "../state/answer.js";
 import { Coalesce } from "../state/coalesce.js";
-import type { Playground } from "../state/playground.js";
-import { SolverClient } from "../worker/client.js";
+import type { Edits } from "../state/edits.js";
+import type { OpenProblem } from "../state/open-problem.js";
 import type { Fault } from "../worker/protocol.js";
+import { TaskRunner } from "../worker/runner.js";
+
+interface DraftStores {
+  problem: OpenProblem;
+  answer: Answer;
+  edits: Edits;
+}
 
 export class Draft {
   /** The text as it was changed, and the document that it was changed from or is kept beside. */
@@ -20,16 +28,16 @@ export class Draft {
   );
 
   /** The text of the document that is open. */
-  readonly open: ReadonlySignal<string> = computed(() => this.playground.document.value?.text ?? "");
+  readonly open: ReadonlySignal<string> = computed(() => this.playground.problem.document.value?.text ?? "");
   /** Why the page did not take the text: who goes on typing knows, and sees what is wrong at its place. */
   private refused: string | null | undefined;
-  private readonly checker = new SolverClient();
+  private readonly checker = new TaskRunner("now");
   private readonly checks = new Coalesce<string>((text) => this.perform(text));
 
-  constructor(private readonly playground: Playground) {}
+  constructor(private readonly playground: DraftStores) {}
 
   type(text: string): void {
-    if (this.playground.error.peek() === this.refused) this.playground.error.value = null;
+    if (this.playground.answer.error.peek() === this.refused) this.playground.answer.error.value = null;
     if (text === this.open.value) {
       this.forget();
       return;
@@ -58,8 +66,8 @@ export class Draft {
   async use(): Promise<void> {
     const text = this.text.value;
     this.refused = undefined;
-    if (!(await this.playground.open(text))) {
-      this.refused = this.playground.error.peek();
+    if (!(await this.playground.edits.open(text))) {
+      this.refused = this.playground.answer.error.peek();
       return;
     }
     // Somebody may have gone on typing.

@@ -2,11 +2,15 @@
 import { json } from "@codemirror/lang-json";
 import { signal } from "@preact/signals-core";
 import { written } from "../problem/text.js";
-import type { Playground } from "../state/playground.js";
+import type { Draft } from "./draft.js";
 import { markAt } from "./fault.js";
 import { compose, markIn, type PartName, type Parts, partNames, split } from "./parts.js";
 import { pddl } from "./pddl-language.js";
 import { TextField } from "./text-field.js";
+
+export interface TextTabStores {
+  draft: Draft;
+}
 
 export type View = "json" | "pddl";
 
@@ -21,7 +25,7 @@ export class TextTab {
   /** Whether a text has parts, of the last text asked about. */
   private known: { text: string; parts: Parts | null } | null = null;
 
-  constructor(private readonly playground: Playground) {
+  constructor(private readonly playground: TextTabStores) {
     const common = { submit: () => void this.use(), next: () => this.goToFault() };
     const part = (label: string, language: typeof json) =>
       new TextField({ ...common, label, fine: "", language: language(), changed: () => this.partTyped() });

@@ -1,17 +1,32 @@
 // The workbench: everything that can be done with the problem shown, one tab for each kind of work.
 import { html, type TemplateResult } from "lit";
-import { solverForm } from "../solve/solver-form.js";
-import type { Playground } from "../state/playground.js";
+import type { EditPanelStores } from "../edit/edit-panel.js";
+import type { PlayPanelStores } from "../play/play-panel.js";
+import type { CompareStores } from "../solve/compare/compare.js";
+import { type SolverFormStores, solverForm } from "../solve/solver-form.js";
+import type { TradeoffStores } from "../solve/tradeoff/tradeoff.js";
 import type { Workbench } from "../state/workbench.js";
+import type { StepsTableStores } from "../steps/steps-table.js";
+import type { DocumentFormStores } from "../text/document-form.js";
 import { LazyPanel, type Panel } from "./lazy-panel.js";
+
+/** What the tabs show, taken together: each is given it as what it needs of it alone. */
+export interface WorkbenchStores
+  extends SolverFormStores,
+    EditPanelStores,
+    PlayPanelStores,
+    CompareStores,
+    TradeoffStores,
+    StepsTableStores,
+    DocumentFormStores {}
 
 export interface Tab {
   name: string;
   title: string;
-  panel: Panel;
+  panel: Panel<WorkbenchStores>;
 }
 
-const lazy = (load: () => Promise<Panel>): Panel => new LazyPanel(load).panel;
+const lazy = <Stores>(load: () => Promise<Panel<Stores>>): Panel<Stores> => new LazyPanel(load).panel;
 
 /** The tabs, in the order shown. Only the first is there from the beginning; the page is shown sooner without the others. */
 export const tabs: readonly Tab[] = [
@@ -32,10 +47,10 @@ export const tabs: readonly Tab[] = [
   },
 ];
 
-export function workbench(playground: Playground): TemplateResult {
-  const bench = playground.workbench;
+export function workbench(stores: WorkbenchStores): TemplateResult {
+  const bench = stores.workbench;
   // The other tabs would tell the enemy what it must not know.
-  const guessing = playground.mode.value === "guess";
+  const guessing = stores.boards.mode.value === "guess";
   const id = (kind: string, name: string) => `${bench.id}-${kind}-${name}`;
   // A link may name a tab that this page does not have.
   const open = guessing ? "play" : (tabs.find(({ name }) => name === bench.tab.value) ?? tabs[0])?.name;
@@ -55,7 +70,7 @@ export function workbench(playground: Playground): TemplateResult {
         name,
         panel,
       }) => html`<div class="tab-panel" role="tabpanel" id=${id("panel", name)} aria-labelledby=${id("tab", name)}
-        ?hidden=${name !== open}>${name === open ? panel(playground) : ""}</div>`,
+        ?hidden=${name !== open}>${name === open ? panel(stores) : ""}</div>`,
     )}
   </section>`;
 }

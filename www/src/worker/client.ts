@@ -35,6 +35,11 @@ export class SolverClient {
   private lastId = 0;
   private current: Current | null = null;
 
+  /** Whether there is a worker, ready or loading. */
+  get started(): boolean {
+    return this.worker !== null;
+  }
+
   /** Has the worker load the core, for the task that will come. */
   prepare(): void {
     this.worker ??= this.startWorker();

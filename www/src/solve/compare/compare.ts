@@ -1,14 +1,21 @@
 // All solvers side by side: the bounds they keep to, starting and ending them, and what each found.
 import { html, nothing, type TemplateResult } from "lit";
+import type { Answer } from "../../state/answer.js";
 import { patiences } from "../../state/comparison.js";
-import type { Playground } from "../../state/playground.js";
 import { counted } from "../../view/numbers.js";
+import type { NumberFieldStores } from "../number-field.js";
 import { numberField } from "../number-field.js";
+import type { ShownPlanStores } from "../shown-plan.js";
 import { shownPlan } from "../shown-plan.js";
 import { work } from "../work.js";
+import type { ComparisonTableStores } from "./table.js";
 import { comparisonTable } from "./table.js";
 
-export function compare(playground: Playground): TemplateResult {
+export interface CompareStores extends NumberFieldStores, ComparisonTableStores, ShownPlanStores {
+  answer: Answer;
+}
+
+export function compare(playground: CompareStores): TemplateResult {
   const { comparison } = playground;
   const running = comparison.running.value;
   const outdated = comparison.outdated.value;
@@ -24,7 +31,7 @@ export function compare(playground: Playground): TemplateResult {
           running && !outdated
             ? html`<button type="button" @click=${() => comparison.skip()}>Skip this one</button>
                 <button type="button" @click=${() => comparison.cancel()}>Cancel</button>`
-            : html`<button type="button" class="primary" ?disabled=${playground.scene.value === null}
+            : html`<button type="button" class="primary" ?disabled=${playground.boards.scene.value === null}
                 @click=${() => comparison.start()}>${again ? "Compare again" : "Compare all solvers"}</button>`
         }
         ${patienceField(playground)}
@@ -38,7 +45,7 @@ export function compare(playground: Playground): TemplateResult {
   </div>`;
 }
 
-function atWork(playground: Playground): TemplateResult | typeof nothing {
+function atWork(playground: CompareStores): TemplateResult | typeof nothing {
   const { rows, progress, stopwatch } = playground.comparison;
   const row = rows.value.find(({ state }) => state === "running");
   if (row === undefined) return nothing;
@@ -46,7 +53,7 @@ function atWork(playground: Playground): TemplateResult | typeof nothing {
   return html`<div class="at-work"><b>${title}</b> ${work(progress.value, stopwatch.seconds.value, title)}</div>`;
 }
 
-function patienceField({ comparison }: Playground): TemplateResult {
+function patienceField({ comparison }: Pick<CompareStores, "comparison">): TemplateResult {
   const choose = (event: Event) => {
     comparison.patience.value = Number((event.target as HTMLSelectElement).value);
   };
@@ -62,13 +69,13 @@ function patienceField({ comparison }: Playground): TemplateResult {
 }
 
 /** Three of the solvers need bounds: without, the first plan they find is all they say. */
-function suggestion(playground: Playground): TemplateResult | typeof nothing {
+function suggestion(playground: CompareStores): TemplateResult | typeof nothing {
   const { k, j } = playground.form.value;
-  const goals = playground.optimum.value?.outcome.goals;
+  const goals = playground.answer.optimum.value?.outcome.goals;
   if (k !== "" || j !== "" || goals === undefined || goals === null) return nothing;
   const bounds = { k: String(goals.adversarial.length), j: String(goals.cooperative.length) };
   return html`<p class="hint">Without bounds, heuristic search, obfuscate and legible have nothing to keep to and take
     the first plan they find.
-    <button type="button" class="small" @click=${() => playground.edit(bounds)}>
+    <button type="button" class="small" @click=${() => playground.solving.edit(bounds)}>
       Ask for what the best plan reaches: k = ${bounds.k}, j = ${bounds.j}</button></p>`;
 }

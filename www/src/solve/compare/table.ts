@@ -1,13 +1,20 @@
 // What each solver found. The solver's name is the button that shows its plan.
 import { html, nothing, svg, type TemplateResult } from "lit";
-import type { Row } from "../../state/comparison.js";
-import type { Playground } from "../../state/playground.js";
+import type { Boards } from "../../state/boards.js";
+import type { Comparison, Row } from "../../state/comparison.js";
+import type { Plans } from "../../state/plans.js";
 import { duration, shortNumber } from "../../view/numbers.js";
 import { proved, verdict } from "../verdict.js";
 
+export interface ComparisonTableStores {
+  comparison: Comparison;
+  boards: Boards;
+  plans: Plans;
+}
+
 const heads = ["Solver", "Answer", "Goal difference", "Enemy", "Friend", "Moves", "Time"] as const;
 
-export function comparisonTable(playground: Playground): TemplateResult {
+export function comparisonTable(playground: ComparisonTableStores): TemplateResult {
   const { rows, outdated } = playground.comparison;
   // A table that is laid out as a grid on narrow screens is a table all the same.
   return html`<table class="comparison" role="table" data-outdated=${outdated.value || nothing}>
@@ -22,10 +29,10 @@ export function comparisonTable(playground: Playground): TemplateResult {
 /** What the boards say of a plan of the comparison. */
 export const planTitle = ({ entrant }: Row): string => `the plan of ${entrant.title}`;
 
-function line(playground: Playground, row: Row, outdated: boolean): TemplateResult {
+function line(playground: ComparisonTableStores, row: Row, outdated: boolean): TemplateResult {
   const outcome = row.result?.outcome;
   const plan = outcome?.plan ?? null;
-  const shown = !outdated && plan !== null && playground.chosen.value === planTitle(row);
+  const shown = !outdated && plan !== null && playground.boards.chosen.value === planTitle(row);
   const cell = (label: string, content: unknown, kind = "") =>
     html`<td role="cell" class=${kind} data-label=${label}>${content}</td>`;
   // Who has answered without a plan has none; the others have said nothing yet.
@@ -36,7 +43,7 @@ function line(playground: Playground, row: Row, outdated: boolean): TemplateResu
         plan === null || outdated
           ? html`<span class="solver-name">${row.entrant.title}</span>`
           : html`<button type="button" class="small" aria-pressed=${String(shown)}
-              @click=${() => playground.showPlan(plan, planTitle(row))}>${row.entrant.title}</button>`
+              @click=${() => playground.plans.show(plan, planTitle(row))}>${row.entrant.title}</button>`
       }
       ${row.entrant.note === undefined ? nothing : html`<small class="slow">${row.entrant.note}</small>`}
     </th>

@@ -1,7 +1,15 @@
 // The best of every length as it is shown: in the picture and in its table.
 import type { LengthPoint } from "../../core.js";
-import type { Playground } from "../../state/playground.js";
+import type { Boards } from "../../state/boards.js";
+import type { Plans } from "../../state/plans.js";
+import type { Timeline } from "../../state/timeline.js";
 import { counted, shortNumber } from "../../view/numbers.js";
+
+export interface LengthPointStores {
+  boards: Boards;
+  timeline: Timeline;
+  plans: Plans;
+}
 
 type Feasible = Extract<LengthPoint, { plan: string[] }>;
 
@@ -16,10 +24,10 @@ export interface ShownLength extends Feasible {
 
 export const isFeasible = (point: LengthPoint): point is Feasible => point.plan !== null;
 
-export function lengthPoints(playground: Playground, lengths: readonly LengthPoint[]): ShownLength[] {
+export function lengthPoints(playground: LengthPointStores, lengths: readonly LengthPoint[]): ShownLength[] {
   const feasible = lengths.filter(isFeasible);
   const most = Math.max(...feasible.map((point) => point.goal_difference));
-  const value = playground.difference.value;
+  const value = playground.boards.difference.value;
   const moves = playground.timeline.lastStep.value;
   const points = feasible.map((point): ShownLength => {
     const { length, plan, goal_difference, adversarial, cooperative } = point;
@@ -30,7 +38,7 @@ export function lengthPoints(playground: Playground, lengths: readonly LengthPoi
       shown: value !== null && length === moves && Math.abs(value - goal_difference) < 1e-9,
       first: false,
       name: `${counted(length, "move")}: goal difference ${shortNumber(goal_difference)}, ${adversarial} possible for the enemy, ${cooperative} for the friend${best ? ", the best" : ""}`,
-      choose: () => void playground.showPlan(plan, `the best plan of ${counted(length, "move")}`),
+      choose: () => void playground.plans.show(plan, `the best plan of ${counted(length, "move")}`),
     };
   });
   const first = points.find(({ shown }) => shown) ?? points.find(({ best }) => best) ?? points[0];

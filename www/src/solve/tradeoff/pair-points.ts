@@ -1,8 +1,16 @@
 // The reachable pairs as they are shown: in the picture and in its table.
 import type { SolveOptions } from "../../core.js";
-import type { Playground } from "../../state/playground.js";
+import type { Boards } from "../../state/boards.js";
+import type { Plans } from "../../state/plans.js";
+import type { Timeline } from "../../state/timeline.js";
 import type { Pair } from "../../state/tradeoff.js";
 import { counted, shortNumber } from "../../view/numbers.js";
+
+export interface PairPointStores {
+  boards: Boards;
+  timeline: Timeline;
+  plans: Plans;
+}
 
 export type Bounds = Pick<SolveOptions, "k" | "j">;
 
@@ -19,12 +27,18 @@ export interface PairPoint extends Pair {
   choose: () => void;
 }
 
-export function pairPoints(playground: Playground, pairs: readonly Pair[], goals: number, bounds: Bounds): PairPoint[] {
+export function pairPoints(
+  playground: PairPointStores,
+  pairs: readonly Pair[],
+  goals: number,
+  bounds: Bounds,
+): PairPoint[] {
   const breaks = ({ adversarial, cooperative }: Pair) =>
     (bounds.k !== undefined && adversarial < bounds.k) || (bounds.j !== undefined && cooperative > bounds.j);
   const ahead = ({ adversarial, cooperative }: Pair) => adversarial - cooperative;
   const most = Math.max(...pairs.filter((pair) => !breaks(pair)).map(ahead));
-  const end = playground.difference.value === null ? undefined : playground.timeline.trace.value?.steps.at(-1)?.goals;
+  const end =
+    playground.boards.difference.value === null ? undefined : playground.timeline.trace.value?.steps.at(-1)?.goals;
   const points = pairs.map((pair): PairPoint => {
     const { adversarial, cooperative, plan } = pair;
     const outside = breaks(pair);
@@ -39,7 +53,10 @@ export function pairPoints(playground: Playground, pairs: readonly Pair[], goals
       first: false,
       name: `${adversarial} possible for the enemy, ${cooperative} for the friend: goal difference ${shortNumber(value)} in ${counted(plan.length, "move")}${outside ? ", outside the bounds" : best ? ", the best" : ""}`,
       choose: () =>
-        void playground.showPlan(plan, `a plan that leaves ${adversarial} to the enemy, ${cooperative} to the friend`),
+        void playground.plans.show(
+          plan,
+          `a plan that leaves ${adversarial} to the enemy, ${cooperative} to the friend`,
+        ),
     };
   });
   const first = points.find(({ shown }) => shown) ?? points.find(({ best }) => best) ?? points[0];

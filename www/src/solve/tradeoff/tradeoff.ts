@@ -1,20 +1,31 @@
 // What plans can reach at all, in two pictures: the pairs of survivor counts, and the goal difference of each length.
+
+import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
-import type { Playground } from "../../state/playground.js";
+import type { Form } from "../../state/form.js";
+import type { Tradeoff } from "../../state/tradeoff.js";
 import { extras, type Lengths, type Pairs } from "../../state/tradeoff.js";
 import { counted, shortNumber } from "../../view/numbers.js";
+import type { ShownPlanStores } from "../shown-plan.js";
 import { shownPlan } from "../shown-plan.js";
 import { work } from "../work.js";
+import type { LengthPointStores } from "./length-points.js";
 import { lengthPoints } from "./length-points.js";
 import { lengthsChart } from "./lengths-chart.js";
+import type { PairPointStores } from "./pair-points.js";
 import { type Bounds, pairPoints } from "./pair-points.js";
 import { pairsChart } from "./pairs-chart.js";
 import { lengthsTable, pairsTable } from "./tables.js";
 
+export interface TradeoffStores extends LengthPointStores, PairPointStores, ShownPlanStores {
+  tradeoff: Tradeoff;
+  form: ReadonlySignal<Form>;
+}
+
 /** What is ready sooner needs no sign of work. */
 const SLOW_S = 0.3;
 
-export function tradeoff(playground: Playground): TemplateResult {
+export function tradeoff(playground: TradeoffStores): TemplateResult {
   const state = playground.tradeoff;
   const { pairs, lengths, busy, stopwatch, error, cut, replaced } = state;
   const slow = busy.value && stopwatch.seconds.value > SLOW_S;
@@ -53,8 +64,8 @@ export function tradeoff(playground: Playground): TemplateResult {
   </div>`;
 }
 
-function pairsPart(playground: Playground, { points: pairs, upTo }: Pairs): TemplateResult {
-  const goals = playground.scene.value?.goals.length ?? 2;
+function pairsPart(playground: TradeoffStores, { points: pairs, upTo }: Pairs): TemplateResult {
+  const goals = playground.boards.scene.value?.goals.length ?? 2;
   const bounds = boundsOf(playground);
   const points = pairPoints(playground, pairs, goals, bounds);
   const plans = upTo === null ? "plans of every length" : `plans of at most ${counted(upTo, "move")}`;
@@ -71,7 +82,7 @@ function pairsPart(playground: Playground, { points: pairs, upTo }: Pairs): Temp
   </figure>`;
 }
 
-function lengthsPart(playground: Playground, { points: lengths, bounds, complete }: Lengths): TemplateResult {
+function lengthsPart(playground: TradeoffStores, { points: lengths, bounds, complete }: Lengths): TemplateResult {
   const points = lengthPoints(playground, lengths);
   const [shortest, best] = [points[0], points.find((point) => point.best)];
   const last = lengths.at(-1)?.length ?? 0;
@@ -90,7 +101,7 @@ function lengthsPart(playground: Playground, { points: lengths, bounds, complete
   </figure>`;
 }
 
-function extraField({ tradeoff }: Playground): TemplateResult {
+function extraField({ tradeoff }: Pick<TradeoffStores, "tradeoff">): TemplateResult {
   const choose = (event: Event) => {
     tradeoff.extra.value = Number((event.target as HTMLSelectElement).value);
   };
@@ -108,7 +119,7 @@ const legend = html`<ul class="chart-legend">
   <li><svg viewBox="0 0 24 24" aria-hidden="true"><path class="none" d="M7 7l10 10m0-10l-10 10"></path></svg>no plan of that length</li>
 </ul>`;
 
-function boundsOf(playground: Playground): Bounds {
+function boundsOf(playground: TradeoffStores): Bounds {
   const { k, j } = playground.form.value;
   return { ...(k === "" ? {} : { k: Number(k) }), ...(j === "" ? {} : { j: Number(j) }) };
 }

@@ -3,12 +3,11 @@ import { nothing, svg, type TemplateResult } from "lit";
 import type { Scene, State } from "../../core.js";
 import { sameCell } from "../../problem/cells.js";
 import type { Cell } from "../../problem/types.js";
-import type { Playground } from "../../state/playground.js";
 import { counted } from "../../view/numbers.js";
 import { called } from "../../view/observers.js";
 import { enlarged } from "../../view/scale.js";
 import type { BoardInput, BoardName } from "../board-input.js";
-import type { View } from "../lazy-views.js";
+import type { BoardStores, View } from "../lazy-views.js";
 import { poseBoard, robotCell } from "../pose/board.js";
 import { poseSigns } from "../pose/legend.js";
 import { type Facing, robot, rose } from "../pose/robot.js";
@@ -32,11 +31,11 @@ export const inWords = ([column, row]: Cell): string => `column ${column}, row $
 const boxOf = (state: State): Cell => (typeof state === "object" && "box" in state ? state.box : [0, 0]);
 const facingOf = (state: State): Facing => (typeof state === "object" && "facing" in state ? state.facing : "north");
 
-function board(name: BoardName, input: BoardInput<BoxScene>, playground: Playground): TemplateResult {
+function board(name: BoardName, input: BoardInput<BoxScene>, playground: BoardStores): TemplateResult {
   const { scene, shown, step } = input;
   const scale = enlarged(scene);
   const at = robotCell(shown.state);
-  const secret = playground.mode.value === "guess";
+  const secret = playground.boards.mode.value === "guess";
   const boxes = name === "actor" ? [{ cell: boxOf(shown.state), sure: true }] : spots(summaryOf(shown, name), "box");
   const facings = name === "actor" ? [facingOf(shown.state)] : facingsOf(name, input);
   const after = `After ${counted(step, "action")}`;

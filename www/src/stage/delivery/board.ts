@@ -1,7 +1,6 @@
 // The picture of a delivery, after Figure 1 of the paper: the factories with their packages, the truck, the delivery
 // area, and the candidate goals. On an observer's board each package is as sure as that observer is of it.
 import { html, svg, type TemplateResult } from "lit";
-import type { Playground } from "../../state/playground.js";
 import { called } from "../../view/observers.js";
 import type { BoardName } from "../board-input.js";
 import { type DeliveryInput, isLoaded, loadedShares, packagesOf } from "./facts.js";
@@ -13,7 +12,7 @@ import { truck } from "./truck.js";
 /** A longer name would run into the roof. */
 const LONGEST_FACTORY = 7;
 
-export function deliveryBoard(name: BoardName, input: DeliveryInput, _playground: Playground): TemplateResult {
+export function deliveryBoard(name: BoardName, input: DeliveryInput): TemplateResult {
   const layout = layoutOf(input.scene);
   const cards = cardsOf(input);
   const shares = loadedShares(input.scene, name === "actor" ? [input.shown.state] : input.shown.beliefs[name]);

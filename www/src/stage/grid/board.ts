@@ -7,11 +7,11 @@ import { boardBlur, boardFocus, boardKey } from "../../gesture/keys.js";
 import { boardPointer } from "../../gesture/pointer.js";
 import { toolInHand } from "../../gesture/tools.js";
 import type { Size } from "../../problem/cells.js";
-import type { Playground } from "../../state/playground.js";
 import { called } from "../../view/observers.js";
 import { enlarged, isLarge } from "../../view/scale.js";
 import type { BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
+import type { BoardStores } from "../lazy-views.js";
 import { agent, path, start } from "./agent.js";
 import { cellLayer } from "./cell-layer.js";
 import { type Cell, cellOf, type GridInput, keysOf } from "./cells.js";
@@ -21,7 +21,7 @@ import { cameraCorners, camerasOn, dots, floorSquares, squares } from "./marks.j
 /** Room for strokes at the edge, in cells. */
 const MARGIN = 0.06;
 
-export function board(name: BoardName, input: GridInput, playground: Playground): TemplateResult {
+export function board(name: BoardName, input: GridInput, playground: BoardStores): TemplateResult {
   const { scene, shown } = input;
   const { width, height, walls } = scene;
   const box = `${-MARGIN} ${-MARGIN} ${width + 2 * MARGIN} ${height + 2 * MARGIN}`;
@@ -39,7 +39,7 @@ export function board(name: BoardName, input: GridInput, playground: Playground)
     <path class="dot" d=${dots(belief)}></path>
     ${start(scene.start, scene.goals, scale)}
     ${name === "actor" ? path(input.trace, input.step) : nothing}
-    ${agent(name, scene, shown.state, playground.mode.value === "guess", scale)}
+    ${agent(name, scene, shown.state, playground.boards.mode.value === "guess", scale)}
     ${goalMarks(
       name,
       goalViews(scene, shown),
@@ -51,7 +51,7 @@ export function board(name: BoardName, input: GridInput, playground: Playground)
 }
 
 /** By the tool in the hand the board says what it can be used for. */
-export function boardClasses(scene: Size, playground: Playground): string {
+export function boardClasses(scene: Size, playground: BoardStores): string {
   const { editing } = playground;
   return `board ${toolInHand(playground)}${isLarge(scene) ? " large" : ""}${editing.drag.value === null ? "" : " dragging"}`;
 }

@@ -2,7 +2,7 @@
 
 import type { State } from "../../core.js";
 import { everyCell, type Size } from "../../problem/cells.js";
-import type { Playground } from "../../state/playground.js";
+import type { OpenProblem } from "../../state/open-problem.js";
 import type { BoardName } from "../board-input.js";
 import { type Cell, cellOf, keyOf } from "./cells.js";
 
@@ -44,8 +44,8 @@ export function cameraCorners(cameras: readonly Cell[], walls: readonly Cell[]):
     .join("");
 }
 
-export function camerasOn(name: BoardName, { document }: Playground): readonly Cell[] {
-  const value = document.value?.value;
+export function camerasOn(name: BoardName, { problem }: { problem: Pick<OpenProblem, "document"> }): readonly Cell[] {
+  const value = problem.document.value?.value;
   if (name === "actor" || value?.format !== "gridworld") return [];
   return value.observers[name].cameras ?? [];
 }

@@ -4,7 +4,6 @@ import { boardMarks } from "../../gesture/board-marks.js";
 import { boardBlur, boardFocus, boardKey } from "../../gesture/keys.js";
 import { boardPointer } from "../../gesture/pointer.js";
 import type { Cell } from "../../problem/types.js";
-import type { Playground } from "../../state/playground.js";
 import { enlarged, isLarge } from "../../view/scale.js";
 import type { BoardInput, BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
@@ -13,6 +12,7 @@ import { boardClasses } from "../grid/board.js";
 import { cellLayer } from "../grid/cell-layer.js";
 import { goalMarks } from "../grid/goal.js";
 import { dots, squares } from "../grid/marks.js";
+import type { BoardStores } from "../lazy-views.js";
 import { believedCells, keysOfCells, type PoseScene } from "./scene.js";
 
 const MARGIN = 0.06;
@@ -31,7 +31,7 @@ export interface PoseParts {
 export function poseBoard(
   name: BoardName,
   input: BoardInput<PoseScene>,
-  playground: Playground,
+  playground: BoardStores,
   parts: PoseParts,
 ): TemplateResult {
   const { scene, shown } = input;

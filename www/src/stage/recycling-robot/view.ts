@@ -3,13 +3,12 @@ import { nothing, svg, type TemplateResult } from "lit";
 import type { Scene, State } from "../../core.js";
 import { sameCell } from "../../problem/cells.js";
 import type { Cell } from "../../problem/types.js";
-import type { Playground } from "../../state/playground.js";
 import { counted } from "../../view/numbers.js";
 import { called } from "../../view/observers.js";
 import { enlarged } from "../../view/scale.js";
 import type { BoardInput, BoardName } from "../board-input.js";
 import { inWords } from "../box-pushing/view.js";
-import type { View } from "../lazy-views.js";
+import type { BoardStores, View } from "../lazy-views.js";
 import { poseBoard, robotCell } from "../pose/board.js";
 import { poseSigns } from "../pose/legend.js";
 import { robot } from "../pose/robot.js";
@@ -33,11 +32,11 @@ export const recyclingView = (scene: RobotScene): View => ({
 
 const robotState = (state: State) => (typeof state === "object" && "battery" in state ? state : null);
 
-function board(name: BoardName, input: BoardInput<RobotScene>, playground: Playground): TemplateResult {
+function board(name: BoardName, input: BoardInput<RobotScene>, playground: BoardStores): TemplateResult {
   const { scene, shown } = input;
   const scale = enlarged(scene);
   const at = robotCell(shown.state);
-  const secret = playground.mode.value === "guess";
+  const secret = playground.boards.mode.value === "guess";
   const state = robotState(shown.state);
   const belief = name === "actor" ? null : summaryOf(shown, name);
   const cans =

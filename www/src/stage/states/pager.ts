@@ -1,14 +1,14 @@
 // Which of several pictures are shown on an observer's board, and the buttons that leaf through them.
 import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
-import type { Playground } from "../../state/playground.js";
 import { left, right } from "../../view/icons.js";
 import { wholeNumber } from "../../view/numbers.js";
 import { called, type Role } from "../../view/observers.js";
 
-const turns = new WeakMap<Playground, Record<Role, { value: number }>>();
+/** By the playground that they belong to. */
+const turns = new WeakMap<object, Record<Role, { value: number }>>();
 
-function turnOf(playground: Playground, role: Role): { value: number } {
+function turnOf(playground: object, role: Role): { value: number } {
   const known = turns.get(playground) ?? { adversarial: signal(0), cooperative: signal(0) };
   turns.set(playground, known);
   return known[role];
@@ -20,7 +20,7 @@ export interface Page {
 }
 
 /** The page that is open; a belief with fewer states has fewer pages. */
-export function pageOf(playground: Playground, role: Role, states: number, atOnce: number): Page {
+export function pageOf(playground: object, role: Role, states: number, atOnce: number): Page {
   const pages = Math.max(1, Math.ceil(states / atOnce));
   const first = Math.min(turnOf(playground, role).value, pages - 1) * atOnce;
   return { first, count: Math.min(atOnce, states - first) };
@@ -28,7 +28,7 @@ export function pageOf(playground: Playground, role: Role, states: number, atOnc
 
 /** `listed`: how many states there are to look at, of `all`. */
 export function pager(
-  playground: Playground,
+  playground: object,
   role: Role,
   { first, count }: Page,
   atOnce: number,

@@ -2,12 +2,11 @@
 // through; many as a summary in numbers, with the pictures below.
 import { html, nothing, type TemplateResult } from "lit";
 import type { BeliefSummary, Scene, State } from "../../core.js";
-import type { Playground } from "../../state/playground.js";
 import { counted } from "../../view/numbers.js";
 import { called, type Role } from "../../view/observers.js";
 import { stateCount } from "../belief-size.js";
 import type { BoardInput, BoardName } from "../board-input.js";
-import type { View } from "../lazy-views.js";
+import type { BoardStores, View } from "../lazy-views.js";
 import { goalCards } from "./goals.js";
 import type { StateKind } from "./kind.js";
 import { pageOf, pager } from "./pager.js";
@@ -39,7 +38,7 @@ function believed(
   kind: StateKind,
   role: Role,
   { shown }: BoardInput,
-  playground: Playground,
+  playground: BoardStores,
 ): TemplateResult {
   const states = shown.beliefs[role];
   const all = stateCount(shown, role);

@@ -1,0 +1,47 @@
+// A playground's state: its stores, each given those that it works with. Views are given those that they show.
+import { signal } from "@preact/signals-core";
+import { Gallery } from "../gallery/gallery.js";
+import { Adviser } from "../state/adviser.js";
+import { Answer } from "../state/answer.js";
+import { Boards } from "../state/boards.js";
+import { Comparison } from "../state/comparison.js";
+import { Editing } from "../state/editing.js";
+import { Edits } from "../state/edits.js";
+import { emptyForm, type Form } from "../state/form.js";
+import { Guess } from "../state/guess.js";
+import { Drafts } from "../state/numbers.js";
+import { OpenProblem } from "../state/open-problem.js";
+import { Plans } from "../state/plans.js";
+import { Solving } from "../state/solving.js";
+import { Timeline } from "../state/timeline.js";
+import { Tradeoff } from "../state/tradeoff.js";
+import { Walk } from "../state/walk.js";
+import { Workbench } from "../state/workbench.js";
+import { Draft } from "../text/draft.js";
+
+export class Playground {
+  readonly workbench = new Workbench();
+  readonly problem = new OpenProblem();
+  readonly answer = new Answer();
+  readonly timeline = new Timeline();
+  readonly boards = new Boards(this);
+  readonly form = signal<Form>(emptyForm);
+  readonly drafts = new Drafts();
+  readonly editing = new Editing();
+  readonly solving = new Solving(this);
+  readonly edits = new Edits(this);
+  readonly plans = new Plans(this);
+  readonly walk = new Walk(this);
+  readonly guess = new Guess(this);
+  readonly adviser = new Adviser(this);
+  readonly comparison = new Comparison(this);
+  readonly tradeoff = new Tradeoff(this);
+  readonly gallery = new Gallery(this);
+  readonly draft = new Draft(this);
+
+  dispose(): void {
+    const { timeline, solving, answer, walk, guess, adviser, comparison, tradeoff, draft } = this;
+    timeline.pause();
+    for (const part of [solving, answer, walk, guess, adviser, comparison, tradeoff, draft]) part.dispose();
+  }
+}

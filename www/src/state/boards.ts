@@ -1,0 +1,74 @@
+// What the boards show: whose steps they are, and of which scene.
+import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import type { Scene, Trace } from "../core.js";
+import { GoalStory } from "./goal-story.js";
+import type { OpenProblem } from "./open-problem.js";
+import type { Timeline } from "./timeline.js";
+
+/** Whose steps are shown: a plan's, or those of the person who walks, or those that the person sees as the enemy. */
+export type Mode = "plan" | "walk" | "guess";
+
+export class Boards {
+  readonly mode = signal<Mode>("plan");
+  /** What the plan shown is, where it is not the result: "a plan of the trade-off". */
+  readonly chosen = signal<string | null>(null);
+  /** The scene of a game that is shown in place of the open problem's own. */
+  readonly disguise = signal<Scene | null>(null);
+  readonly scene: ReadonlySignal<Scene | null>;
+  readonly story: GoalStory;
+  /** The goal difference at the end of the plan shown; null while there is none. */
+  readonly difference: ReadonlySignal<number | null>;
+  /** They are told when the answer of a solver takes the place of what was shown. */
+  readonly replaced = new Set<() => void>();
+  private readonly hasPlan = signal(false);
+  private readonly timeline: Timeline;
+
+  constructor({ problem, timeline }: { problem: Pick<OpenProblem, "scene">; timeline: Timeline }) {
+    this.timeline = timeline;
+    this.story = new GoalStory(timeline);
+    this.scene = computed(() => this.disguise.value ?? problem.scene.value);
+    this.difference = computed(() => {
+      if (this.mode.value === "guess") return null;
+      const trace = timeline.trace.value;
+      return trace?.valid && this.hasPlan.value ? trace.goal_difference : null;
+    });
+  }
+
+  /** Shows what a solver answered, or the start while it has not: whatever was played is over. */
+  showAnswer(trace: Trace, hasPlan: boolean, at: "start" | "end" | "same"): void {
+    batch(() => {
+      for (const told of this.replaced) told();
+      this.show("plan", null, hasPlan);
+      this.timeline.show(trace, at);
+    });
+  }
+
+  /** Shows the answer again; `trace` is null where there was none. */
+  showAnswerAgain(trace: Trace | null, hasPlan: boolean): void {
+    batch(() => {
+      this.show("plan", null, hasPlan);
+      this.timeline.pause();
+      if (trace !== null) this.timeline.show(trace, "end");
+    });
+  }
+
+  /** Shows the steps of another plan; `title` says whose. */
+  showPlan(trace: Trace, title: string): void {
+    this.showSteps("plan", trace, "end", title);
+  }
+
+  /** Shows steps that are no solver's, in the mode they belong to. */
+  showSteps(mode: Mode, trace: Trace, at: "start" | "end", title: string | null = null): void {
+    batch(() => {
+      this.show(mode, title, true);
+      this.timeline.pause();
+      this.timeline.show(trace, at);
+    });
+  }
+
+  private show(mode: Mode, title: string | null, hasPlan: boolean): void {
+    this.mode.value = mode;
+    this.chosen.value = title;
+    this.hasPlan.value = hasPlan;
+  }
+}

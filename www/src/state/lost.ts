@@ -1,0 +1,5 @@
+// What is said of a worker that was lost.
+import type { Ending } from "../worker/client.js";
+
+export const lost = ({ message }: Extract<Ending, { kind: "lost" }>): string =>
+  `The solver stopped unexpectedly (${message}). Your problem is as it was, and another solver is ready.`;
