@@ -22,8 +22,7 @@ import {
 import type { DeliveryDocument } from "../problem/types.js";
 import { roles } from "../view/observers.js";
 import { deliveryObserverForm } from "./delivery-observer.js";
-import type { FieldStores } from "./fields.js";
-import { attempt, type Edited, faultText, textField } from "./fields.js";
+import { attempt, type Edited, type FieldStores, faultText, textField } from "./fields.js";
 import { focusBefore } from "./goals-form.js";
 import { cross } from "./icons.js";
 

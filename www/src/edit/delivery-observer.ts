@@ -12,8 +12,7 @@ import {
 } from "../problem/delivery-sensor.js";
 import type { DeliveryDocument, Role } from "../problem/types.js";
 import { called } from "../view/observers.js";
-import type { FieldStores } from "./fields.js";
-import { attempt, presetField, textField } from "./fields.js";
+import { attempt, type FieldStores, presetField, textField } from "./fields.js";
 
 export function deliveryObserverForm(playground: FieldStores, document: DeliveryDocument, role: Role): TemplateResult {
   const load = loadOf(document, role);

@@ -3,8 +3,7 @@ import { html, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { addGoal, chooseTrueGoal, removeGoal, renameGoal } from "../problem/grid-goals.js";
 import type { FloorDocument } from "../problem/types.js";
-import type { FieldStores } from "./fields.js";
-import { attempt, faultText, textField } from "./fields.js";
+import { attempt, type FieldStores, faultText, textField } from "./fields.js";
 import { cross } from "./icons.js";
 
 export function goalsForm(playground: FieldStores, document: FloorDocument): TemplateResult {

@@ -5,8 +5,7 @@ import { setStay, symbolsOf } from "../problem/grid-sensor.js";
 import { LARGEST_SIDE, resized, SMALLEST_SIDE } from "../problem/grid-size.js";
 import type { GridworldDocument } from "../problem/types.js";
 import { roles } from "../view/observers.js";
-import type { FieldStores } from "./fields.js";
-import { attempt, numberField } from "./fields.js";
+import { attempt, type FieldStores, numberField } from "./fields.js";
 import { goalsForm } from "./goals-form.js";
 import { type ObserverFormStores, observerForm } from "./observer-form.js";
 

@@ -15,8 +15,7 @@ import type { GridworldDocument, Role } from "../problem/types.js";
 import type { Tool } from "../state/editing.js";
 import type { Timeline } from "../state/timeline.js";
 import { called } from "../view/observers.js";
-import type { FieldStores } from "./fields.js";
-import { attempt, type Edited, presetField, textField } from "./fields.js";
+import { attempt, type Edited, type FieldStores, presetField, textField } from "./fields.js";
 
 export interface ObserverFormStores extends FieldStores {
   timeline: Timeline;

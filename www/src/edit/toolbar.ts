@@ -1,7 +1,6 @@
 // The tools, always at hand above the boards, and what takes edits back.
 import { html, type TemplateResult } from "lit";
-import type { ToolStores } from "../gesture/tools.js";
-import { take, toolInHand, toolNames, toolsFor } from "../gesture/tools.js";
+import { type ToolStores, take, toolInHand, toolNames, toolsFor } from "../gesture/tools.js";
 import type { Edits } from "../state/edits.js";
 import { tools as icons } from "./icons.js";
 

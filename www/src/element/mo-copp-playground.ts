@@ -9,7 +9,7 @@ import { shortcut } from "../gesture/shortcuts.js";
 import { Playground } from "../playground/playground.js";
 import { exampleDocument } from "../problem/example.js";
 import { Address } from "../share/address.js";
-import { LinkCopier } from "../share/copy-link.js";
+import { copyLink, LinkCopier } from "../share/copy-link.js";
 import { DropTarget, dropSign } from "../share/drop.js";
 import { Announcer, announcement } from "../stage/announcement.js";
 import { goalList } from "../stage/goal-list.js";
@@ -142,7 +142,7 @@ export class MoCoppPlayground extends SignalElement {
     const error = playground.answer.error.value;
     const hidden = hiddenParts(this.getAttribute("hide"));
     const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
-    const copier = this.sharing && !hidden.has("share") ? this.copier : null;
+    const link = () => (this.sharing && !hidden.has("share") ? copyLink(playground, this.copier) : nothing);
     return html`
       <div class="error">
         <div role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
@@ -153,7 +153,7 @@ export class MoCoppPlayground extends SignalElement {
                 @click=${() => playground.answer.dismiss()}>${cross}</button>`
         }
       </div>
-      ${show("gallery", () => held(playground, () => problemBar(playground, copier)))} ${show("tools", () => toolbar(playground))}
+      ${show("gallery", () => held(playground, () => problemBar(playground, link())))} ${show("tools", () => toolbar(playground))}
       ${stage(playground)}
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
       ${

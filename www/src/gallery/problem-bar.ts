@@ -1,13 +1,11 @@
 // The bar above the boards: which problem is open and what it shows, its named plans, and the way to the others.
 import { html, nothing, type TemplateResult } from "lit";
 import { openHelp } from "../help/help.js";
-import { copyLink, type LinkCopier } from "../share/copy-link.js";
 import type { Boards } from "../state/boards.js";
 import type { OpenProblem } from "../state/open-problem.js";
 import { down, left, question, right } from "../view/icons.js";
 import { entries, type NamedPlan } from "./entries.js";
-import type { MenuStores } from "./menu.js";
-import { openGallery } from "./menu.js";
+import { type MenuStores, openGallery } from "./menu.js";
 import { thumbnail } from "./thumbnail.js";
 
 export interface ProblemBarStores extends MenuStores {
@@ -15,8 +13,8 @@ export interface ProblemBarStores extends MenuStores {
   boards: Boards;
 }
 
-/** `copier`: null where this playground's state is not in the page's address. */
-export function problemBar(playground: ProblemBarStores, copier: LinkCopier | null): TemplateResult {
+/** `link`: the way to a link to what is shown, where there is one. */
+export function problemBar(playground: ProblemBarStores, link: TemplateResult | typeof nothing): TemplateResult {
   const { gallery } = playground;
   const entry = gallery.current.value;
   const value = playground.problem.document.value?.value;
@@ -37,7 +35,7 @@ export function problemBar(playground: ProblemBarStores, copier: LinkCopier | nu
     <p class="about">${entry?.about ?? aboutOwn(playground)}</p>
     ${plans(playground, entry?.plans ?? [])}
     <div class="share">
-      ${copier === null ? nothing : copyLink(playground, copier)}
+      ${link}
       <button type="button" class="sign" aria-label="Help" title="Help: keys and words (?)" @click=${() => void openHelp()}>${question}</button>
     </div>
   </section>`;

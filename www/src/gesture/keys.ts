@@ -5,11 +5,9 @@ import { isWall, setBelieved, setCamera, setWall } from "../problem/grid-cells.j
 import { addGoal, goalAt, removeGoal } from "../problem/grid-goals.js";
 import type { Cell, FloorDocument } from "../problem/types.js";
 import type { BoardName } from "../view/observers.js";
-import type { DragStores } from "./dragging.js";
-import { begin, finish, goTo, takeBack } from "./dragging.js";
+import { begin, type DragStores, finish, goTo, takeBack } from "./dragging.js";
 import { carriedInWords, cellInWords, pieceName } from "./spoken.js";
-import type { ToolStores } from "./tools.js";
-import { editable, paintOf, pieceAt, roleOf, toolInHand } from "./tools.js";
+import { editable, paintOf, pieceAt, roleOf, type ToolStores, toolInHand } from "./tools.js";
 
 export type KeyStores = ToolStores & DragStores;
 

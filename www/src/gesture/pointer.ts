@@ -2,11 +2,9 @@
 import { inside } from "../problem/cells.js";
 import { carry, type Drag, stroke } from "../problem/drag.js";
 import type { BoardName } from "../view/observers.js";
-import type { DragStores } from "./dragging.js";
-import { begin, finish, goTo, takeBack } from "./dragging.js";
+import { begin, type DragStores, finish, goTo, takeBack } from "./dragging.js";
 import { cellAt, grasped, pointIn } from "./reach.js";
-import type { ToolStores } from "./tools.js";
-import { editable, paintOf, toolInHand } from "./tools.js";
+import { editable, paintOf, type ToolStores, toolInHand } from "./tools.js";
 
 export type PointerStores = ToolStores & DragStores;
 

@@ -1,7 +1,6 @@
 // Keys that edit wherever on the page the keyboard is: undo and redo, and giving up what is being dragged.
 import { inText } from "../view/typing.js";
-import type { DragStores } from "./dragging.js";
-import { takeBack } from "./dragging.js";
+import { type DragStores, takeBack } from "./dragging.js";
 
 export type ShortcutStores = DragStores;
 

@@ -1,9 +1,7 @@
 // Playing: being the agent, or being the enemy.
 import { html, type TemplateResult } from "lit";
-import type { GuessPanelStores } from "./guess-panel.js";
-import { guessPanel } from "./guess-panel.js";
-import type { WalkPanelStores } from "./walk-panel.js";
-import { walkPanel } from "./walk-panel.js";
+import { type GuessPanelStores, guessPanel } from "./guess-panel.js";
+import { type WalkPanelStores, walkPanel } from "./walk-panel.js";
 
 export type PlayPanelStores = GuessPanelStores & WalkPanelStores;
 

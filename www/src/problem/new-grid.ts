@@ -1,7 +1,6 @@
 // An empty grid to begin with.
 
-import type { GridSensor } from "./grid-sensor.js";
-import { gridPresets } from "./grid-sensor.js";
+import { type GridSensor, gridPresets } from "./grid-sensor.js";
 import type { GridworldDocument } from "./types.js";
 
 export function newGrid(width: number, height: number): GridworldDocument {

@@ -4,8 +4,7 @@ import { effect } from "@preact/signals-core";
 import type { Solving } from "../state/solving.js";
 import { pressed } from "../view/pressed.js";
 import { LinkError, LONGEST_LINK, MOST_TEXT, pack, unpack } from "./packed.js";
-import type { RestoreStores } from "./restore.js";
-import { restore } from "./restore.js";
+import { type RestoreStores, restore } from "./restore.js";
 import { readState, stateOf } from "./shared-state.js";
 
 export interface AddressStores extends RestoreStores {

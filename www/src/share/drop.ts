@@ -2,8 +2,7 @@
 import { signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
 import { inField } from "../view/typing.js";
-import type { FileStores } from "./files.js";
-import { openFile } from "./files.js";
+import { type FileStores, openFile } from "./files.js";
 
 type DropStores = FileStores;
 

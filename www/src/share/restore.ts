@@ -7,8 +7,7 @@ import { emptyForm } from "../state/form.js";
 import type { Plans } from "../state/plans.js";
 import { initialExtra } from "../state/tradeoff.js";
 import type { Walk } from "../state/walk.js";
-import type { SharedStores } from "./shared-state.js";
-import { planShown, type SharedState } from "./shared-state.js";
+import { planShown, type SharedState, type SharedStores } from "./shared-state.js";
 
 export interface RestoreStores extends SharedStores {
   edits: Edits;

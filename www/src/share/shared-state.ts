@@ -4,14 +4,12 @@ import type { ReadonlySignal } from "@preact/signals-core";
 import { written } from "../problem/text.js";
 import type { Answer } from "../state/answer.js";
 import type { Boards, Mode } from "../state/boards.js";
-import type { Comparison } from "../state/comparison.js";
-import { initialPatience, patiences } from "../state/comparison.js";
+import { type Comparison, initialPatience, patiences } from "../state/comparison.js";
 import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
 import type { Guess } from "../state/guess.js";
 import type { OpenDocument, OpenProblem } from "../state/open-problem.js";
 import type { Timeline } from "../state/timeline.js";
-import type { Tradeoff } from "../state/tradeoff.js";
-import { extras, initialExtra } from "../state/tradeoff.js";
+import { extras, initialExtra, type Tradeoff } from "../state/tradeoff.js";
 import type { Workbench } from "../state/workbench.js";
 import { LinkError } from "./packed.js";
 

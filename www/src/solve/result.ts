@@ -3,13 +3,10 @@
 import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import type { Answer, Result } from "../state/answer.js";
-import type { Form } from "../state/form.js";
-import { solvers } from "../state/form.js";
+import { type Form, solvers } from "../state/form.js";
 import { counted, shortNumber } from "../view/numbers.js";
-import type { InfeasibleStores } from "./infeasible.js";
-import { infeasible } from "./infeasible.js";
-import type { ShownPlanStores } from "./shown-plan.js";
-import { shownPlan } from "./shown-plan.js";
+import { type InfeasibleStores, infeasible } from "./infeasible.js";
+import { type ShownPlanStores, shownPlan } from "./shown-plan.js";
 import { caveat, scope, verdict } from "./verdict.js";
 import { work } from "./work.js";
 

@@ -2,10 +2,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
 import { type Form, reads, solverNames, solvers } from "../state/form.js";
-import type { NumberFieldStores } from "./number-field.js";
-import { numberField } from "./number-field.js";
-import type { ResultStores } from "./result.js";
-import { result } from "./result.js";
+import { type NumberFieldStores, numberField } from "./number-field.js";
+import { type ResultStores, result } from "./result.js";
 
 export type SolverFormStores = NumberFieldStores & ResultStores;
 

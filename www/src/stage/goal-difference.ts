@@ -3,8 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
 import type { Timeline } from "../state/timeline.js";
 import { shortNumber } from "../view/numbers.js";
-import type { BestPossibleStores } from "./best-possible.js";
-import { bestPossible, isImpossible } from "./best-possible.js";
+import { type BestPossibleStores, bestPossible, isImpossible } from "./best-possible.js";
 
 export interface GoalDifferenceStores extends BestPossibleStores {
   timeline: Timeline;

@@ -5,8 +5,8 @@ import { deliveryBoard } from "./delivery/board.js";
 import { isDelivery } from "./delivery/facts.js";
 import { board } from "./grid/board.js";
 import { isGrid } from "./grid/cells.js";
-import type { BoardStores } from "./lazy-views.js";
 import { loadViews, viewOf, viewsFailed } from "./lazy-views.js";
+import type { BoardStores } from "./view.js";
 
 /** A larger grid is only words: nobody could see its cells, and drawing them would hold up the page. */
 const MOST_CELLS = 4096;

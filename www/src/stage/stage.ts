@@ -1,19 +1,14 @@
 // The stage: the agent in the middle, the enemy on one side and the friend on the other, all at the same step.
 import { html, nothing, type TemplateResult } from "lit";
-import type { WalkKeyStores } from "../play/walk-keys.js";
-import { hasWalkKeys, walkByKey, walkByPointer } from "../play/walk-keys.js";
+import { hasWalkKeys, type WalkKeyStores, walkByKey, walkByPointer } from "../play/walk-keys.js";
 import type { Answer } from "../state/answer.js";
 import type { BoardInput, BoardName } from "./board-input.js";
-import type { GoalDifferenceStores } from "./goal-difference.js";
-import { goalDifference } from "./goal-difference.js";
-import type { BoardStores } from "./lazy-views.js";
-import type { PanelHeadStores } from "./panel-head.js";
-import { panelHead } from "./panel-head.js";
+import { type GoalDifferenceStores, goalDifference } from "./goal-difference.js";
+import { type PanelHeadStores, panelHead } from "./panel-head.js";
 import { picture } from "./picture.js";
-import type { SurvivorStores } from "./survivors.js";
-import { survivors } from "./survivors.js";
-import type { SymbolStores } from "./symbols.js";
-import { symbols } from "./symbols.js";
+import { type SurvivorStores, survivors } from "./survivors.js";
+import { type SymbolStores, symbols } from "./symbols.js";
+import type { BoardStores } from "./view.js";
 
 export interface StageStores
   extends BoardStores,

@@ -3,11 +3,11 @@ import "../style/views.css";
 import type { Scene } from "../core.js";
 import { blocksKind, isBlocks } from "./blocks/kind.js";
 import { boxPushingView } from "./box-pushing/view.js";
-import type { View } from "./lazy-views.js";
 import { recyclingView } from "./recycling-robot/view.js";
 import { factsKind, namesKind } from "./states/facts.js";
 import { statesView } from "./states/view.js";
 import { isTransport, transportKind } from "./transport/kind.js";
+import type { View } from "./view.js";
 
 const known = new WeakMap<Scene, View>();
 

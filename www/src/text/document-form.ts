@@ -1,10 +1,8 @@
 // The problem as its document: typed, pasted, read from a file, or saved as one.
 import { html, nothing, type TemplateResult } from "lit";
-import type { FileStores } from "../share/files.js";
-import { openFile, saveFile } from "../share/files.js";
+import { type FileStores, openFile, saveFile } from "../share/files.js";
 import { newMenu } from "./new-menu.js";
-import type { TextTabStores } from "./text-tab.js";
-import { TextTab, type View } from "./text-tab.js";
+import { TextTab, type TextTabStores, type View } from "./text-tab.js";
 
 export type DocumentFormStores = TextTabStores & FileStores;
 

@@ -3,13 +3,10 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Answer } from "../../state/answer.js";
 import { patiences } from "../../state/comparison.js";
 import { counted } from "../../view/numbers.js";
-import type { NumberFieldStores } from "../number-field.js";
-import { numberField } from "../number-field.js";
-import type { ShownPlanStores } from "../shown-plan.js";
-import { shownPlan } from "../shown-plan.js";
+import { type NumberFieldStores, numberField } from "../number-field.js";
+import { type ShownPlanStores, shownPlan } from "../shown-plan.js";
 import { work } from "../work.js";
-import type { ComparisonTableStores } from "./table.js";
-import { comparisonTable } from "./table.js";
+import { type ComparisonTableStores, comparisonTable } from "./table.js";
 
 export interface CompareStores extends NumberFieldStores, ComparisonTableStores, ShownPlanStores {
   answer: Answer;

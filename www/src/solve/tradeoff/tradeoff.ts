@@ -3,17 +3,13 @@
 import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import type { Form } from "../../state/form.js";
-import type { Tradeoff } from "../../state/tradeoff.js";
-import { extras, type Lengths, type Pairs } from "../../state/tradeoff.js";
+import { extras, type Lengths, type Pairs, type Tradeoff } from "../../state/tradeoff.js";
 import { counted, shortNumber } from "../../view/numbers.js";
-import type { ShownPlanStores } from "../shown-plan.js";
-import { shownPlan } from "../shown-plan.js";
+import { type ShownPlanStores, shownPlan } from "../shown-plan.js";
 import { work } from "../work.js";
-import type { LengthPointStores } from "./length-points.js";
-import { lengthPoints } from "./length-points.js";
+import { type LengthPointStores, lengthPoints } from "./length-points.js";
 import { lengthsChart } from "./lengths-chart.js";
-import type { PairPointStores } from "./pair-points.js";
-import { type Bounds, pairPoints } from "./pair-points.js";
+import { type Bounds, type PairPointStores, pairPoints } from "./pair-points.js";
 import { pairsChart } from "./pairs-chart.js";
 import { lengthsTable, pairsTable } from "./tables.js";
 

@@ -7,11 +7,11 @@ import { counted } from "../../view/numbers.js";
 import { called } from "../../view/observers.js";
 import { enlarged } from "../../view/scale.js";
 import type { BoardInput, BoardName } from "../board-input.js";
-import type { BoardStores, View } from "../lazy-views.js";
 import { poseBoard, robotCell } from "../pose/board.js";
 import { poseSigns } from "../pose/legend.js";
 import { type Facing, robot, rose } from "../pose/robot.js";
 import { spots, summaryOf, values } from "../pose/scene.js";
+import type { BoardStores, View } from "../view.js";
 
 type BoxScene = Extract<Scene, { format: "box-pushing" }>;
 

@@ -11,7 +11,7 @@ import { called } from "../../view/observers.js";
 import { enlarged, isLarge } from "../../view/scale.js";
 import type { BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
-import type { BoardStores } from "../lazy-views.js";
+import type { BoardStores } from "../view.js";
 import { agent, path, start } from "./agent.js";
 import { cellLayer } from "./cell-layer.js";
 import { type Cell, cellOf, type GridInput, keysOf } from "./cells.js";

@@ -12,7 +12,7 @@ import { boardClasses } from "../grid/board.js";
 import { cellLayer } from "../grid/cell-layer.js";
 import { goalMarks } from "../grid/goal.js";
 import { dots, squares } from "../grid/marks.js";
-import type { BoardStores } from "../lazy-views.js";
+import type { BoardStores } from "../view.js";
 import { believedCells, keysOfCells, type PoseScene } from "./scene.js";
 
 const MARGIN = 0.06;

@@ -8,11 +8,11 @@ import { called } from "../../view/observers.js";
 import { enlarged } from "../../view/scale.js";
 import type { BoardInput, BoardName } from "../board-input.js";
 import { inWords } from "../box-pushing/view.js";
-import type { BoardStores, View } from "../lazy-views.js";
 import { poseBoard, robotCell } from "../pose/board.js";
 import { poseSigns } from "../pose/legend.js";
 import { robot } from "../pose/robot.js";
 import { spots, summaryOf, values } from "../pose/scene.js";
+import type { BoardStores, View } from "../view.js";
 import { battery } from "./battery.js";
 import { bin, can, charger } from "./things.js";
 

@@ -6,7 +6,7 @@ import { counted } from "../../view/numbers.js";
 import { called, type Role } from "../../view/observers.js";
 import { stateCount } from "../belief-size.js";
 import type { BoardInput, BoardName } from "../board-input.js";
-import type { BoardStores, View } from "../lazy-views.js";
+import type { BoardStores, View } from "../view.js";
 import { goalCards } from "./goals.js";
 import type { StateKind } from "./kind.js";
 import { pageOf, pager } from "./pager.js";
