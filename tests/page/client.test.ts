@@ -4,33 +4,7 @@ import { beforeEach, mock, test } from "node:test";
 import type { Outcome, Progress, Scene, Trace } from "../../www/src/core.js";
 import { type Ending, SolverClient } from "../../www/src/worker/client.js";
 import { runWithin } from "../../www/src/worker/patience.js";
-import type { Message, Reply } from "../../www/src/worker/protocol.js";
-
-class ScriptedWorker {
-  static all: ScriptedWorker[] = [];
-  readonly heard: Message[] = [];
-  ended = false;
-  onmessage: ((event: { data: Reply }) => void) | null = null;
-  onerror: ((event: { message: string; preventDefault(): void }) => void) | null = null;
-
-  constructor() {
-    ScriptedWorker.all.push(this);
-  }
-  postMessage(message: Message): void {
-    this.heard.push(message);
-  }
-  terminate(): void {
-    this.ended = true;
-  }
-  say(reply: Reply): void {
-    this.onmessage?.({ data: reply });
-  }
-  /** The newest one. */
-  static get last(): ScriptedWorker {
-    return ScriptedWorker.all.at(-1) ?? assert.fail("no worker was started");
-  }
-}
-Object.assign(globalThis, { Worker: ScriptedWorker });
+import { ScriptedWorker } from "./support/scripted-worker.js";
 
 const solve = { kind: "solve", document: "{}", options: { solver: "exact" } } as const;
 const goals = { adversarial: ["G1", "G2"], cooperative: ["G1"] };

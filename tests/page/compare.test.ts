@@ -4,10 +4,10 @@ import { test } from "node:test";
 import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright-core";
 import type { SolveOptions } from "../../www/src/core.js";
-import { visit } from "./support/browser.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
-import { attribute, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
+import { edit, opened } from "./support/opened.js";
+import { attribute, openTab, press, slider, statusIs } from "./support/playground.js";
 import { holdCore, withKnownWorkers } from "./support/workers.js";
 
 const solvers: [title: string, options: SolveOptions][] = [
@@ -24,14 +24,9 @@ const words = { optimal: "proved best", infeasible: "no plan" };
 const row = (page: Page, title: string) =>
   page.locator(".comparison tbody tr").filter({ has: page.getByRole("rowheader", { name: title }) });
 const complete = (page: Page) => page.getByText("The comparison is complete.").waitFor({ state: "attached" });
-const edit = (page: Page, document: string) =>
-  page.evaluate(`document.querySelector("mo-copp-playground").playground.apply(${document})`);
 
 test("every solver's answer stands in the table, and choosing one shows its plan", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, grid());
-    await openTab(page, "Compare");
+  opened({ document: grid(), tab: "Compare" }, async (page) => {
     await page.getByLabel("Friend keeps at most").fill("1");
     await press(page, "Compare all solvers");
     await complete(page);
@@ -62,18 +57,14 @@ test("every solver's answer stands in the table, and choosing one shows its plan
   }));
 
 test("a proof for plans of one length says so", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await openTab(page, "Compare");
+  opened({ tab: "Compare" }, async (page) => {
     await press(page, "Compare all solvers");
     await row(page, "Integer program, belief flow").getByText("proved best of 14 moves").waitFor();
     await row(page, "Exact search").getByText("proved best", { exact: true }).waitFor();
   }));
 
 test("the best plan's bounds are offered", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await openTab(page, "Compare");
+  opened({ tab: "Compare" }, async (page) => {
     const { outcome } = solve(example, { solver: "exact" });
     const [k, j] = [outcome.goals?.adversarial.length, outcome.goals?.cooperative.length].map(String);
     await press(page, `Ask for what the best plan reaches: k = ${k}, j = ${j}`);
@@ -84,10 +75,7 @@ test("the best plan's bounds are offered", () =>
   }));
 
 test("results of an earlier problem are marked and can't be chosen", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, grid());
-    await openTab(page, "Compare");
+  opened({ document: grid(), tab: "Compare" }, async (page) => {
     await press(page, "Compare all solvers");
     await complete(page);
     assert.equal(await page.getByRole("button", { name: "Baseline" }).count(), 1);
@@ -103,13 +91,7 @@ test("results of an earlier problem are marked and can't be chosen", () =>
   }));
 
 test("one is skipped with its best plan kept, the rest is cancelled, and the live answers go on meanwhile", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, endless());
-    await openTab(page, "Solve");
-    await press(page, "Cancel");
-    await statusIs(page, "feasible");
-    await openTab(page, "Compare");
+  opened({ document: endless(), stopped: true, tab: "Compare" }, async (page) => {
     await page.getByLabel("Each may take").selectOption({ label: "as long as it likes" });
     await press(page, "Compare all solvers");
     await page.getByText(/states looked at/).waitFor();
@@ -139,10 +121,7 @@ test("one is skipped with its best plan kept, the rest is cancelled, and the liv
   }));
 
 test("one that takes longer than it may is stopped, and says so", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, endless());
-    await openTab(page, "Compare");
+  opened({ document: endless(), tab: "Compare" }, async (page) => {
     await page.getByLabel("Each may take").selectOption({ label: "2 seconds" });
     await press(page, "Compare all solvers");
     await row(page, "Exact search").getByText("best found (out of time)").waitFor();
@@ -150,56 +129,43 @@ test("one that takes longer than it may is stopped, and says so", () =>
   }));
 
 test("time that a worker takes to load is not taken from the time a solver may take", () =>
-  visit(
-    async ({ page }) => {
-      await statusIs(page, "optimal");
-      await openTab(page, "Compare");
-      await page.getByLabel("Each may take").selectOption({ label: "2 seconds" });
-      const { asked, release } = await holdCore(page);
-      await press(page, "Compare all solvers");
-      await asked;
-      await page.clock.runFor(20_000);
-      release();
-      await row(page, "Exact search").getByText("proved best").waitFor();
-      await row(page, "Baseline").getByText("reaches the goal").waitFor();
-    },
-    { before: (page) => page.clock.install() },
-  ));
+  opened({ tab: "Compare", before: (page) => page.clock.install() }, async (page) => {
+    await page.getByLabel("Each may take").selectOption({ label: "2 seconds" });
+    const { asked, release } = await holdCore(page);
+    await press(page, "Compare all solvers");
+    await asked;
+    await page.clock.runFor(20_000);
+    release();
+    await row(page, "Exact search").getByText("proved best").waitFor();
+    await row(page, "Baseline").getByText("reaches the goal").waitFor();
+  }));
 
 test("a lost worker of the comparison is told, and the others run", () =>
-  visit(
-    async ({ page }) => {
-      await statusIs(page, "optimal");
-      await useDocument(page, endless());
-      await openTab(page, "Solve");
-      await page.getByText(/states looked at/).waitFor();
-      await press(page, "Cancel");
-      await statusIs(page, "feasible");
-      await openTab(page, "Compare");
-      await press(page, "Compare all solvers");
-      await page
-        .locator(".at-work")
-        .getByText(/states looked at/)
-        .waitFor();
-      await page.evaluate("workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
-      await page.getByRole("alert").filter({ hasText: "The solver stopped unexpectedly (out of luck)" }).waitFor();
-      await complete(page);
-      await row(page, "Baseline").getByText("reaches the goal").waitFor();
-      assert.equal(await attribute(page, "data-status"), "feasible");
-    },
-    { before: withKnownWorkers },
-  ));
+  opened({ document: endless(), tab: "Solve", before: withKnownWorkers }, async (page) => {
+    await page.getByText(/states looked at/).waitFor();
+    await press(page, "Cancel");
+    await statusIs(page, "feasible");
+    await openTab(page, "Compare");
+    await press(page, "Compare all solvers");
+    await page
+      .locator(".at-work")
+      .getByText(/states looked at/)
+      .waitFor();
+    await page.evaluate("workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
+    await page.getByRole("alert").filter({ hasText: "The solver stopped unexpectedly (out of luck)" }).waitFor();
+    await complete(page);
+    await row(page, "Baseline").getByText("reaches the goal").waitFor();
+    assert.equal(await attribute(page, "data-status"), "feasible");
+  }));
 
 for (const [width, colorScheme] of [
   [320, "light"],
   [1280, "dark"],
 ] as const) {
   test(`the table stays in a screen ${width} pixels wide and has no barrier, ${colorScheme}`, () =>
-    visit(
-      async ({ page }) => {
-        await statusIs(page, "optimal");
-        await useDocument(page, grid());
-        await openTab(page, "Compare");
+    opened(
+      { document: grid(), tab: "Compare", viewport: { width, height: 740 }, colorScheme, reducedMotion: "reduce" },
+      async (page) => {
         await press(page, "Compare all solvers");
         await complete(page);
         await page.getByRole("button", { name: "Baseline" }).click();
@@ -211,6 +177,5 @@ for (const [width, colorScheme] of [
           [],
         );
       },
-      { viewport: { width, height: 740 }, colorScheme, reducedMotion: "reduce" },
     ));
 }

@@ -4,12 +4,12 @@ import { test } from "node:test";
 import { visit } from "./support/browser.js";
 import { advise, example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
+import { edit, opened } from "./support/opened.js";
 import { attribute, choose, drawn, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
 import { withDeafWorkers, withKnownWorkers } from "./support/workers.js";
 
 test("exact answers follow every change at once, within the bounds", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     assert.equal(await page.getByRole("button", { name: "Solve", exact: true }).count(), 0);
     await page.getByLabel("Plan length").fill("14");
     await page.getByLabel("Friend keeps at most").fill("2");
@@ -21,8 +21,7 @@ test("exact answers follow every change at once, within the bounds", () =>
   }));
 
 test("numbers are stepped up and down between the limits that the scene sets", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     const k = page.getByLabel("Enemy keeps at least");
     const [raise, lower] = [
       page.getByRole("button", { name: "Raise k" }),
@@ -65,8 +64,7 @@ test("numbers are stepped up and down between the limits that the scene sets", (
   }));
 
 test("a number that can't be used is explained and changes nothing", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     const before = await attribute(page, "data-gd");
     const k = page.getByLabel("Enemy keeps at least");
     await k.fill("many");
@@ -83,8 +81,7 @@ test("a number that can't be used is explained and changes nothing", () =>
   }));
 
 test("bounds that an edit leaves no goals for are brought down", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     await page.getByLabel("Enemy keeps at least").fill("4");
     await page.getByText("Best within bounds: 1").waitFor();
     await useDocument(page, example);
@@ -93,7 +90,7 @@ test("bounds that an edit leaves no goals for are brought down", () =>
     await page.getByLabel("Friend keeps at most").fill("4");
     const document = JSON.parse(example);
     document.goals.pop();
-    await page.evaluate(`document.querySelector("mo-copp-playground").playground.apply(${JSON.stringify(document)})`);
+    await edit(page, JSON.stringify(document));
     await page.getByText("(3 for the enemy − 1 for the friend) ÷ (3 − 1)").waitFor();
     assert.equal(await page.getByLabel("Enemy keeps at least").inputValue(), "3");
     assert.equal(await page.getByLabel("Friend keeps at most").inputValue(), "");
@@ -101,8 +98,7 @@ test("bounds that an edit leaves no goals for are brought down", () =>
   }));
 
 test("other solvers run on Solve; edits show the best possible and offer the solver again", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     await choose(page, "Solver", "baseline");
     assert.equal(await page.getByLabel("Enemy keeps at least").count(), 0);
     await press(page, "Solve");
@@ -117,7 +113,7 @@ test("other solvers run on Solve; edits show the best possible and offer the sol
     document.start = [0, 6];
     for (const observer of Object.values<{ initial_belief: unknown }>(document.observers))
       observer.initial_belief = [[0, 6]];
-    await page.evaluate(`document.querySelector("mo-copp-playground").playground.apply(${JSON.stringify(document)})`);
+    await edit(page, JSON.stringify(document));
     await statusIs(page, "optimal");
     await page.getByText("Exact search: proved best of the plans of every length.").waitFor();
     const edited = JSON.stringify(document);
@@ -129,15 +125,14 @@ test("other solvers run on Solve; edits show the best possible and offer the sol
   }));
 
 test("the best possible is found beside a solver that was faster than it", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     await choose(page, "Solver", "baseline");
     const document = JSON.parse(example);
     document.walls.pop();
     await page.evaluate(`{
       const { playground } = document.querySelector("mo-copp-playground");
-      playground.apply(${JSON.stringify(document)});
-      void playground.solve();
+      playground.edits.apply(${JSON.stringify(document)});
+      void playground.solving.solve();
     }`);
     await statusIs(page, "solved");
     const { goal_difference } = solve(JSON.stringify(document), { solver: "exact" }).outcome;
@@ -147,10 +142,7 @@ test("the best possible is found beside a solver that was faster than it", () =>
 
 for (const encoding of ["belief-flow", "paper"] as const) {
   test(`the integer program, ${encoding}, raises the length by the step`, () =>
-    visit(async ({ page }) => {
-      await statusIs(page, "optimal");
-      await useDocument(page, grid());
-      await openTab(page, "Solve");
+    opened({ document: grid(), tab: "Solve" }, async (page) => {
       await choose(page, "Solver", "ip");
       await choose(page, "Encoding", encoding);
       await page.getByLabel("Plan length").fill("3");
@@ -166,8 +158,7 @@ for (const encoding of ["belief-flow", "paper"] as const) {
 }
 
 test("what no plan can do is proved to be so, the start is shown, and a longer plan is offered", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     await page.getByLabel("Plan length").fill("3");
     await statusIs(page, "infeasible");
     assert.equal(await attribute(page, "data-gd"), null);
@@ -182,8 +173,7 @@ test("what no plan can do is proved to be so, the start is shown, and a longer p
   }));
 
 test("every remedy for bounds that can't be kept is offered, and does", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     await page.getByLabel("Plan length").fill("14");
     await statusIs(page, "optimal");
     await page.getByLabel("Enemy keeps at least").fill("4");
@@ -210,27 +200,25 @@ test("every remedy for bounds that can't be kept is offered, and does", () =>
   }));
 
 test("a goal that can't be reached is said to be so", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(
-      page,
-      grid({
+  opened(
+    {
+      document: grid({
         walls: [
           [2, 0],
           [3, 1],
         ],
       }),
-    );
-    await statusIs(page, "infeasible");
-    await openTab(page, "Solve");
-    await page.getByText("The true goal cannot be reached from the start, however long the plan.").waitFor();
-    assert.equal(await page.locator(".remedies").count(), 0);
-  }));
+    },
+    async (page) => {
+      await statusIs(page, "infeasible");
+      await openTab(page, "Solve");
+      await page.getByText("The true goal cannot be reached from the start, however long the plan.").waitFor();
+      assert.equal(await page.locator(".remedies").count(), 0);
+    },
+  ));
 
 test("a search that takes long shows its progress, leaves the page alive, and can be cancelled", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, endless());
+  opened({ document: endless() }, async (page) => {
     await statusIs(page, "solving");
     await openTab(page, "Solve");
     await page.getByText(/states looked at/).waitFor();
@@ -246,8 +234,7 @@ test("a search that takes long shows its progress, leaves the page alive, and ca
   }));
 
 test("the integer program tells its bound and its gap, and a cancel keeps the best plan", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
+  opened({}, async (page) => {
     await choose(page, "Solver", "ip");
     await choose(page, "Encoding", "paper");
     await page.getByLabel("Plan length").fill("16");
@@ -260,10 +247,7 @@ test("the integer program tells its bound and its gap, and a cancel keeps the be
   }));
 
 test("a newer problem takes the place of a search under way", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, endless());
-    await openTab(page, "Solve");
+  opened({ document: endless(), tab: "Solve" }, async (page) => {
     await page.getByText(/states looked at/).waitFor();
     await useDocument(page, grid());
     await statusIs(page, "optimal");
@@ -271,57 +255,43 @@ test("a newer problem takes the place of a search under way", () =>
   }));
 
 test("a solver that does not obey a cancel is ended, and the next solve works", () =>
-  visit(
-    async ({ page }) => {
-      await statusIs(page, "optimal");
-      await useDocument(page, endless());
-      await openTab(page, "Solve");
-      await page.getByText(/states looked at/).waitFor();
-      await press(page, "Cancel");
-      await statusIs(page, "feasible", "limit");
-      await useDocument(page, grid());
-      await statusIs(page, "optimal");
-    },
-    { before: withDeafWorkers },
-  ));
+  opened({ document: endless(), tab: "Solve", before: withDeafWorkers }, async (page) => {
+    await page.getByText(/states looked at/).waitFor();
+    await press(page, "Cancel");
+    await statusIs(page, "feasible", "limit");
+    await useDocument(page, grid());
+    await statusIs(page, "optimal");
+  }));
 
 test("a lost worker is replaced, says so, and leaves the problem as it was", () =>
-  visit(
-    async ({ page }) => {
-      await statusIs(page, "optimal");
-      await useDocument(page, endless());
-      await openTab(page, "Solve");
-      await page.getByText(/states looked at/).waitFor();
-      const before = await drawn(page);
-      // The first is that of the boards; the field for the text has one of its own.
-      await page.evaluate("workers[0].dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
-      await page.getByRole("alert").filter({ hasText: "stopped unexpectedly (out of luck)" }).waitFor();
-      await statusIs(page, "error");
-      assert.deepEqual(await drawn(page), before);
-      await choose(page, "Solver", "baseline");
-      await press(page, "Solve");
-      await statusIs(page, "solved");
-    },
-    { before: withKnownWorkers },
-  ));
+  opened({ document: endless(), tab: "Solve", before: withKnownWorkers }, async (page) => {
+    await page.getByText(/states looked at/).waitFor();
+    const before = await drawn(page);
+    // The first is that of the boards; the field for the text has one of its own.
+    await page.evaluate("workers[0].dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
+    await page.getByRole("alert").filter({ hasText: "stopped unexpectedly (out of luck)" }).waitFor();
+    await statusIs(page, "error");
+    assert.deepEqual(await drawn(page), before);
+    await choose(page, "Solver", "baseline");
+    await press(page, "Solve");
+    await statusIs(page, "solved");
+  }));
 
 test("an undo or a redo that is lost with its worker can be done again", () =>
-  visit(
-    async ({ page }) => {
+  opened({ before: withKnownWorkers }, async (page) => {
+    const shows = (cells: number) =>
+      page.waitForFunction(
+        (count) => document.querySelectorAll("[data-board=actor] [data-cell]").length === count,
+        cells,
+      );
+    for (const height of [3, 4, 5]) {
+      await useDocument(page, grid({ height }));
+      await shows(4 * height);
       await statusIs(page, "optimal");
-      const shows = (cells: number) =>
-        page.waitForFunction(
-          (count) => document.querySelectorAll("[data-board=actor] [data-cell]").length === count,
-          cells,
-        );
-      for (const height of [3, 4, 5]) {
-        await useDocument(page, grid({ height }));
-        await shows(4 * height);
-        await statusIs(page, "optimal");
-      }
-      /** The next task is lost with its worker. */
-      const lose = () =>
-        page.evaluate(`
+    }
+    /** The next task is lost with its worker. */
+    const lose = () =>
+      page.evaluate(`
           const worker = workers[lost ?? 0];
           const post = worker.postMessage.bind(worker);
           worker.postMessage = (message) => {
@@ -329,26 +299,24 @@ test("an undo or a redo that is lost with its worker can be done again", () =>
             window.lost = workers.length;
             worker.dispatchEvent(new ErrorEvent("error", { message: "out of luck" }));
           };`);
-      await page.evaluate("window.lost = undefined");
-      for (const [button, left, reached] of [
-        ["Undo", 20, 16],
-        ["Redo", 16, 20],
-      ] as const) {
-        await lose();
-        await press(page, button);
-        await page.getByRole("alert").filter({ hasText: "stopped unexpectedly (out of luck)" }).waitFor();
-        await shows(left);
-        await press(page, button);
-        await shows(reached);
-        await statusIs(page, "optimal");
-      }
-      await press(page, "Undo");
-      await shows(16);
-      await press(page, "Undo");
-      await shows(12);
-    },
-    { before: withKnownWorkers },
-  ));
+    await page.evaluate("window.lost = undefined");
+    for (const [button, left, reached] of [
+      ["Undo", 20, 16],
+      ["Redo", 16, 20],
+    ] as const) {
+      await lose();
+      await press(page, button);
+      await page.getByRole("alert").filter({ hasText: "stopped unexpectedly (out of luck)" }).waitFor();
+      await shows(left);
+      await press(page, button);
+      await shows(reached);
+      await statusIs(page, "optimal");
+    }
+    await press(page, "Undo");
+    await shows(16);
+    await press(page, "Undo");
+    await shows(12);
+  }));
 
 test("a core that can't be loaded is reported", () =>
   visit(

@@ -4,18 +4,16 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { assertNoBarrier } from "./support/barriers.js";
-import { visit } from "./support/browser.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid, laborious } from "./support/documents.js";
-import { attribute, openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
+import { edit, opened } from "./support/opened.js";
+import { attribute, openTab, press, slider, statusIs } from "./support/playground.js";
 import { holdCore, withDeafWorkers, withKnownWorkers } from "./support/workers.js";
 
 const pairs = (page: Page) => page.getByRole("group", { name: "Goals possible for the enemy against" });
 const lengths = (page: Page) => page.getByRole("group", { name: "The best goal difference of each plan length" });
 const names = (chart: ReturnType<typeof pairs>) =>
   chart.getByRole("button").evaluateAll((points) => points.map((point) => point.getAttribute("aria-label") ?? ""));
-const edit = (page: Page, document: string) =>
-  page.evaluate(`document.querySelector("mo-copp-playground").playground.apply(${document})`);
 
 const short = (value: number) => String(Math.round(value * 1000) / 1000).replace("-", "−");
 
@@ -37,10 +35,7 @@ const spread = (() => {
 })();
 
 test("every pair that the core reaches is a point, and choosing one shows its plan", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, spread);
-    await openTab(page, "Trade-off");
+  opened({ document: spread, tab: "Trade-off" }, async (page) => {
     await pairs(page).waitFor();
     const expected = expectedPairs(spread);
     assert.equal(expected.length, 9);
@@ -66,9 +61,7 @@ test("every pair that the core reaches is a point, and choosing one shows its pl
   }));
 
 test("the best of each length is a point, and lengths without a plan are marked", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await openTab(page, "Trade-off");
+  opened({ tab: "Trade-off" }, async (page) => {
     await lengths(page).waitFor();
     const shortest = 14;
     const check = async (longest: number) => {
@@ -107,9 +100,7 @@ test("the best of each length is a point, and lengths without a plan are marked"
   }));
 
 test("the charts are used by keyboard alone", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await openTab(page, "Trade-off");
+  opened({ tab: "Trade-off" }, async (page) => {
     await pairs(page).waitFor();
     await page.locator('.charts[aria-busy="false"]').waitFor();
     const step = await attribute(page, "data-step");
@@ -135,10 +126,7 @@ test("the charts are used by keyboard alone", () =>
   }));
 
 test("both charts follow edits and bounds while the tab is open", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, spread);
-    await openTab(page, "Trade-off");
+  opened({ document: spread, tab: "Trade-off" }, async (page) => {
     await pairs(page).waitFor();
     const edited = JSON.parse(spread);
     edited.walls.pop();
@@ -165,13 +153,7 @@ test("both charts follow edits and bounds while the tab is open", () =>
   }));
 
 test("what takes long shows progress, is given up, and tells how far it came", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, endless());
-    await openTab(page, "Solve");
-    await press(page, "Cancel");
-    await statusIs(page, "feasible");
-    await openTab(page, "Trade-off");
+  opened({ document: endless(), stopped: true, tab: "Trade-off" }, async (page) => {
     await page
       .locator(".at-work")
       .getByText(/states looked at/)
@@ -193,10 +175,7 @@ test("what takes long shows progress, is given up, and tells how far it came", (
   }));
 
 test("a plan can be looked at while the solver goes on", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(page, endless());
-    await openTab(page, "Trade-off");
+  opened({ document: endless(), tab: "Trade-off" }, async (page) => {
     await page
       .locator(".at-work")
       .getByText(/states looked at/)
@@ -211,84 +190,62 @@ test("a plan can be looked at while the solver goes on", () =>
   }));
 
 test("a worker that does not obey a stop is replaced, and the page says so", () =>
-  visit(
-    async ({ page }) => {
-      await statusIs(page, "optimal");
-      await useDocument(page, laborious());
-      await openTab(page, "Solve");
-      await press(page, "Cancel");
-      await statusIs(page, "feasible", "limit");
-      await openTab(page, "Trade-off");
-      const work = page.locator(".at-work").getByText(/states looked at/);
-      await work.waitFor();
-      await press(page, "Stop");
-      await page.getByText("The solver did not stop when it was asked to; another took its place.").waitFor();
-      await page.getByText("by plans of at most 12 moves").waitFor();
-      const { outcome } = solve(laborious(), { solver: "exact", lengths: 12, pareto: true });
-      assert.equal(await pairs(page).getByRole("button").count(), outcome.pareto?.length);
-    },
-    { before: withDeafWorkers },
-  ));
+  opened({ document: laborious(), stopped: true, tab: "Trade-off", before: withDeafWorkers }, async (page) => {
+    const work = page.locator(".at-work").getByText(/states looked at/);
+    await work.waitFor();
+    await press(page, "Stop");
+    await page.getByText("The solver did not stop when it was asked to; another took its place.").waitFor();
+    await page.getByText("by plans of at most 12 moves").waitFor();
+    const { outcome } = solve(laborious(), { solver: "exact", lengths: 12, pareto: true });
+    assert.equal(await pairs(page).getByRole("button").count(), outcome.pareto?.length);
+  }));
 
 test("time that a worker takes to load is not taken from the time it may look", () =>
-  visit(
-    async ({ page }) => {
-      await statusIs(page, "optimal");
-      const { asked, release } = await holdCore(page);
-      await openTab(page, "Trade-off");
-      await asked;
-      await page.clock.runFor(20_000);
-      release();
-      await page.getByText("pairs can be reached, by plans of every length").waitFor();
-      assert.equal(await page.getByText("too many beliefs").count(), 0);
-    },
-    { before: (page) => page.clock.install() },
-  ));
+  opened({ before: (page) => page.clock.install() }, async (page) => {
+    const { asked, release } = await holdCore(page);
+    await openTab(page, "Trade-off");
+    await asked;
+    await page.clock.runFor(20_000);
+    release();
+    await page.getByText("pairs can be reached, by plans of every length").waitFor();
+    assert.equal(await page.getByText("too many beliefs").count(), 0);
+  }));
 
 test("a lost worker is told, and another looks again", () =>
-  visit(
-    async ({ page }) => {
-      await statusIs(page, "optimal");
-      await useDocument(page, endless());
-      await openTab(page, "Solve");
-      await press(page, "Cancel");
-      await statusIs(page, "feasible");
-      await openTab(page, "Trade-off");
-      await page
-        .locator(".at-work")
-        .getByText(/states looked at/)
-        .waitFor();
-      await page.evaluate("workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
-      await page.getByRole("alert").filter({ hasText: "The solver stopped unexpectedly (out of luck)" }).waitFor();
-      assert.equal(await attribute(page, "data-status"), "feasible");
-      await press(page, "Try again");
-      await page
-        .locator(".at-work")
-        .getByText(/states looked at/)
-        .waitFor();
-      await edit(page, grid());
-      await page.getByText("pairs can be reached, by plans of every length").waitFor();
-    },
-    { before: withKnownWorkers },
-  ));
+  opened({ document: endless(), stopped: true, tab: "Trade-off", before: withKnownWorkers }, async (page) => {
+    await page
+      .locator(".at-work")
+      .getByText(/states looked at/)
+      .waitFor();
+    await page.evaluate("workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
+    await page.getByRole("alert").filter({ hasText: "The solver stopped unexpectedly (out of luck)" }).waitFor();
+    assert.equal(await attribute(page, "data-status"), "feasible");
+    await press(page, "Try again");
+    await page
+      .locator(".at-work")
+      .getByText(/states looked at/)
+      .waitFor();
+    await edit(page, grid());
+    await page.getByText("pairs can be reached, by plans of every length").waitFor();
+  }));
 
 test("a problem that no plan solves has no points", () =>
-  visit(async ({ page }) => {
-    await statusIs(page, "optimal");
-    await useDocument(
-      page,
-      grid({
+  opened(
+    {
+      document: grid({
         walls: [
           [2, 0],
           [3, 1],
         ],
       }),
-    );
-    await statusIs(page, "infeasible");
-    await openTab(page, "Trade-off");
-    await page.getByText("No plan reaches the true goal.").waitFor();
-    assert.equal(await page.locator(".point").count(), 0);
-  }));
+    },
+    async (page) => {
+      await statusIs(page, "infeasible");
+      await openTab(page, "Trade-off");
+      await page.getByText("No plan reaches the true goal.").waitFor();
+      assert.equal(await page.locator(".point").count(), 0);
+    },
+  ));
 
 for (const [width, colorScheme] of [
   [320, "light"],
@@ -296,21 +253,17 @@ for (const [width, colorScheme] of [
   [1280, "light"],
 ] as const) {
   test(`the charts stay in a screen ${width} pixels wide and have no barrier, ${colorScheme}`, () =>
-    visit(
-      async ({ page }) => {
-        await statusIs(page, "optimal");
-        await page.getByRole("button", { name: "Raise k" }).tap();
-        await openTab(page, "Trade-off");
-        await lengths(page).waitFor();
-        await pairs(page)
-          .getByRole("button", { name: /^3 possible/ })
-          .locator(".area")
-          .tap();
-        await page.getByText("On the boards:").waitFor();
-        await page.getByText("The lengths as a table").tap();
-        assert((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
-        await assertNoBarrier(page, `the charts, ${width} px, ${colorScheme}`);
-      },
-      { viewport: { width, height: 740 }, colorScheme, hasTouch: true, reducedMotion: "reduce" },
-    ));
+    opened({ viewport: { width, height: 740 }, colorScheme, hasTouch: true, reducedMotion: "reduce" }, async (page) => {
+      await page.getByRole("button", { name: "Raise k" }).tap();
+      await openTab(page, "Trade-off");
+      await lengths(page).waitFor();
+      await pairs(page)
+        .getByRole("button", { name: /^3 possible/ })
+        .locator(".area")
+        .tap();
+      await page.getByText("On the boards:").waitFor();
+      await page.getByText("The lengths as a table").tap();
+      assert((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
+      await assertNoBarrier(page, `the charts, ${width} px, ${colorScheme}`);
+    }));
 }

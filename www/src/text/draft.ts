@@ -31,7 +31,7 @@ export class Draft {
   readonly open: ReadonlySignal<string> = computed(() => this.playground.problem.document.value?.text ?? "");
   /** Why the page did not take the text: who goes on typing knows, and sees what is wrong at its place. */
   private refused: string | null | undefined;
-  private readonly checker = new TaskRunner("now");
+  private readonly checker = new TaskRunner("soon");
   private readonly checks = new Coalesce<string>((text) => this.perform(text));
 
   constructor(private readonly playground: DraftStores) {}
