@@ -1,20 +1,13 @@
-// A small static file server for the built page: `npm start` and the page's tests use the same one.
-// It can serve the folder under a sub-path, as a course site would.
-import { createReadStream } from "node:fs";
-import { stat } from "node:fs/promises";
+// A static file server for the built page: `npm start` and the page's tests use the same one. The npm package `send`
+// answers for a single file (types, ranges, revalidation, broken-off downloads); here are the port, the sub-path under
+// which a course site would serve the folder, and the border of the folder.
+import { realpath, stat } from "node:fs/promises";
 import { createServer } from "node:http";
-import { extname, join, resolve, sep } from "node:path";
+import { extname, join, relative, resolve, sep } from "node:path";
+import send from "send";
 
-const types = {
-  ".css": "text/css; charset=utf-8",
-  ".html": "text/html; charset=utf-8",
-  ".js": "text/javascript; charset=utf-8",
-  ".json": "application/json; charset=utf-8",
-  ".map": "application/json; charset=utf-8",
-  ".svg": "image/svg+xml",
-  ".txt": "text/plain; charset=utf-8",
-  ".wasm": "application/wasm",
-};
+/** Types that the tables of `send` do not have. */
+const types = { ".jsonl": "application/jsonl; charset=utf-8" };
 
 /**
  * Serves `folder` under `base` (which begins and ends with a slash).
@@ -50,22 +43,37 @@ async function answer(folder, base, request, response) {
   const path = decodedPath(request.url);
   if (path === null) return plain(response, 400, "bad address");
   if (`${path}/` === base) return redirect(response, base);
-  if (!path.startsWith(base)) return plain(response, 404, "not found");
+  const file = path.startsWith(base) ? await fileInside(folder, path.slice(base.length)) : null;
+  if (file === null) return plain(response, 404, "not found");
 
-  const wanted = path.slice(base.length);
-  const file = resolve(folder, wanted === "" || wanted.endsWith("/") ? join(wanted, "index.html") : wanted);
-  if (!file.startsWith(folder + sep)) return plain(response, 404, "not found");
-  const found = await stat(file).catch(() => null);
-  if (!found?.isFile()) return plain(response, 404, "not found");
+  // The path is asked for as it would stand in an address.
+  const address = file.split(sep).map(encodeURIComponent).join("/");
+  send(request, address, { root: await realpath(folder), index: false, cacheControl: false })
+    .on("headers", (headed, name) => {
+      headed.setHeader("Cache-Control", "no-cache");
+      headed.setHeader("X-Content-Type-Options", "nosniff");
+      const type = types[extname(name)];
+      if (type !== undefined) headed.setHeader("Content-Type", type);
+    })
+    .on("error", ({ status, headers }) => {
+      for (const [name, value] of Object.entries(headers ?? {})) response.setHeader(name, value);
+      if (status === 416) plain(response, 416, "no such range");
+      else plain(response, 404, "not found");
+    })
+    .pipe(response);
+}
 
-  response.writeHead(200, {
-    "Content-Type": types[extname(file)] ?? "application/octet-stream",
-    "Content-Length": found.size,
-    "Cache-Control": "no-cache",
-    "X-Content-Type-Options": "nosniff",
-  });
-  if (request.method === "HEAD") response.end();
-  else createReadStream(file).pipe(response);
+/** The file that a path means, from the folder on; null where it is none, or a link leads out of the folder. */
+async function fileInside(folder, wanted) {
+  const named = resolve(folder, wanted === "" || wanted.endsWith("/") ? join(wanted, "index.html") : wanted);
+  if (!named.startsWith(folder + sep)) return null;
+  try {
+    const file = relative(await realpath(folder), await realpath(named));
+    const found = await stat(named);
+    return found.isFile() && file !== ".." && !file.startsWith(`..${sep}`) ? file : null;
+  } catch {
+    return null;
+  }
 }
 
 function decodedPath(address) {
@@ -77,7 +85,8 @@ function decodedPath(address) {
 }
 
 function plain(response, status, text) {
-  if (!response.headersSent) response.writeHead(status, { "Content-Type": "text/plain; charset=utf-8" });
+  if (response.headersSent) return response.destroy();
+  response.writeHead(status, { "Content-Type": "text/plain; charset=utf-8" });
   response.end(text);
 }
 
