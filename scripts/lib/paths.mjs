@@ -1,5 +1,5 @@
 // Where things are. Every script works from any folder it is called in.
-import { dirname, join } from "node:path";
+import { dirname, join, relative, sep } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
@@ -15,3 +15,6 @@ export const lightWasmPackage = join(root, "www", "pkg-light");
 export const dist = join(root, "dist");
 
 export const inRoot = (...parts) => join(root, ...parts);
+
+/** A path as the documents write it: from the root on, with slashes. */
+export const fromRoot = (path) => relative(root, path).split(sep).join("/");
