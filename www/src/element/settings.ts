@@ -1,6 +1,7 @@
 // What a page asks of a playground by the element's attributes.
 
 import type { Playground } from "../playground/playground.js";
+import { LARGEST_DOCUMENT } from "../problem/limits.js";
 import { type Form, solverNames } from "../state/form.js";
 
 /** The parts that can be left out, by `hide`. */
@@ -101,15 +102,12 @@ async function openProblem(
   return wanted() && gallery.open(problem);
 }
 
-/** Larger than any problem that can be drawn. */
-const LARGEST = 2_000_000;
-
 async function fetched(address: string): Promise<string | null> {
   try {
     const response = await fetch(new URL(address, document.baseURI));
-    if (!response.ok || Number(response.headers.get("Content-Length")) > LARGEST) return null;
+    if (!response.ok || Number(response.headers.get("Content-Length")) > LARGEST_DOCUMENT) return null;
     const text = await response.text();
-    return text.length > LARGEST ? null : text;
+    return text.length > LARGEST_DOCUMENT ? null : text;
   } catch {
     return null;
   }

@@ -1,6 +1,7 @@
 // Documents as files: opening one, and saving the one that is open.
 
 import type { Gallery } from "../gallery/gallery.js";
+import { LARGEST_DOCUMENT, LARGEST_IN_WORDS } from "../problem/limits.js";
 import type { Edits } from "../state/edits.js";
 import type { OpenProblem } from "../state/open-problem.js";
 import type { Solving } from "../state/solving.js";
@@ -13,12 +14,9 @@ export interface FileStores {
   solving: Solving;
 }
 
-/** No problem that can be drawn is larger; a file by mistake should not stall the page. */
-const LARGEST_FILE = 2_000_000;
-
 export async function openFile(playground: FileStores, file: File): Promise<boolean> {
-  if (file.size > LARGEST_FILE) {
-    playground.solving.refuse(`“${file.name}” is too large for a problem document (more than 2 MB).`);
+  if (file.size > LARGEST_DOCUMENT) {
+    playground.solving.refuse(`“${file.name}” is too large for a problem document (more than ${LARGEST_IN_WORDS}).`);
     return false;
   }
   let text: string;
@@ -35,5 +33,5 @@ export async function openFile(playground: FileStores, file: File): Promise<bool
 export function saveFile(playground: FileStores): void {
   const document_ = playground.problem.document.value;
   if (document_ === null) return;
-  download(document_.text, "application/json", `${playground.gallery.current.value?.name ?? "problem"}.json`);
+  download(document_.text, "application/json", `${playground.gallery.fileName.value}.json`);
 }

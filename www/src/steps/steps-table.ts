@@ -86,5 +86,5 @@ const MOST_NAMES = 8;
 function save({ timeline, gallery }: StepsTableStores): void {
   const trace = timeline.trace.value;
   if (trace === null) return;
-  download(csv(trace), "text/csv", `${gallery.current.value?.name ?? "problem"}-steps.csv`);
+  download(csv(trace), "text/csv", `${gallery.fileName.value}-steps.csv`);
 }

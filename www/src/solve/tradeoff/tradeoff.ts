@@ -2,11 +2,14 @@
 
 import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
+import type { Gallery } from "../../gallery/gallery.js";
 import type { Form } from "../../state/form.js";
 import type { Pairs } from "../../state/pairs.js";
 import { extras, type Lengths, type Tradeoff } from "../../state/tradeoff.js";
+import { saveTable } from "../../view/save-table.js";
 import { type ShownPlanStores, shownPlan } from "../shown-plan.js";
 import { work } from "../work.js";
+import { lengthsFile, pairsFile } from "./file.js";
 import { type LengthPointStores, lengthPoints } from "./length-points.js";
 import { lengthsChart } from "./lengths-chart.js";
 import { type Bounds, type PairPointStores, pairPoints } from "./pair-points.js";
@@ -16,6 +19,7 @@ import { lengthsInWords, pairsInWords } from "./words.js";
 
 export interface TradeoffStores extends LengthPointStores, PairPointStores, ShownPlanStores {
   tradeoff: Tradeoff;
+  gallery: Gallery;
   form: ReadonlySignal<Form>;
 }
 
@@ -68,18 +72,23 @@ function pairsPart(playground: TradeoffStores, pairs: Pairs): TemplateResult {
   return html`<figure>
     <figcaption><h3>Who is left in doubt</h3>
       <p>${pairsInWords(pairs, goals)}</p></figcaption>
-    ${points.length === 0 ? nothing : html`${pairsChart(points, goals, bounds)} ${pairsTable(points)}`}
+    ${points.length === 0 ? nothing : html`${pairsChart(points, goals, bounds)} ${pairsTable(points)} ${saveTable("the pairs", pairsFile(pairs, goals, playground.gallery.fileName.value))}`}
   </figure>`;
 }
 
-function lengthsPart(playground: TradeoffStores, { points: lengths, bounds, complete }: Lengths): TemplateResult {
+function lengthsPart(playground: TradeoffStores, shown: Lengths): TemplateResult {
+  const { points: lengths, bounds, complete } = shown;
   const points = lengthPoints(playground, lengths);
   const within = bounds.k === undefined && bounds.j === undefined ? "" : " within the bounds";
   return html`<figure>
     <figcaption><h3>What longer plans gain</h3>
       <p>${lengthsInWords(lengths, complete, within)}</p></figcaption>
     ${points.length === 0 ? nothing : lengthsChart(points, lengths)}
-    ${extraField(playground)} ${lengths.length === 0 ? nothing : lengthsTable(points, lengths)}
+    ${extraField(playground)} ${
+      lengths.length === 0
+        ? nothing
+        : html`${lengthsTable(points, lengths)} ${saveTable("the lengths", lengthsFile(shown, playground.gallery.fileName.value))}`
+    }
   </figure>`;
 }
 
