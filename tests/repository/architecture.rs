@@ -76,7 +76,7 @@ const FOLDERS: Table = &[
     ("gallery", &["help", "problem", "state", "view"]),
     ("solve", &["core", "gallery", "help", "state", "view"]),
     ("stage", &["core", "gesture", "help", "play", "problem", "state", "view"]),
-    ("share", &["gallery", "problem", "state", "view"]),
+    ("share", &["gallery", "problem", "state", "view", "worker"]),
     ("steps", &["core", "gallery", "help", "stage", "state", "view"]),
     ("text", &["core", "problem", "share", "state", "worker"]),
     ("playground", &["gallery", "state", "text", "view"]),

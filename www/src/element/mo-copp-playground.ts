@@ -137,6 +137,14 @@ export class MoCoppPlayground extends SignalElement {
     if (opened === false && mistake !== null) playground.solving.refuse(mistake);
   }
 
+  /** What could not be opened or solved for want of a solver is asked for again. */
+  private async retry(): Promise<void> {
+    const { problem, solving } = this.playground;
+    const open = problem.document.peek();
+    if (open !== null) solving.follow(open);
+    else if (!this.sharing || (await this.address.read()) !== true) await this.settle();
+  }
+
   protected override render(): TemplateResult {
     const playground = this.playground;
     const error = playground.answer.error.value;
@@ -146,6 +154,11 @@ export class MoCoppPlayground extends SignalElement {
     return html`
       <div class="error">
         <div role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
+        ${
+          error !== null && playground.answer.unstarted.value
+            ? html`<p class="retry"><button type="button" class="small" @click=${() => void this.retry()}>Try again</button></p>`
+            : nothing
+        }
         ${
           error === null
             ? nothing

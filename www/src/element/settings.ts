@@ -128,7 +128,8 @@ async function showPlan(playground: Playground, plan: string, wanted: () => bool
   if (named !== undefined) await playground.gallery.show(named);
   else
     await playground.plans.show(
-      plan.split(",").map((action) => action.trim()),
+      // An empty text is the plan without actions.
+      plan.trim() === "" ? [] : plan.split(",").map((action) => action.trim()),
       "The plan of this page",
       wanted,
     );

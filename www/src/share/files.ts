@@ -2,12 +2,23 @@
 
 import type { Gallery } from "../gallery/gallery.js";
 import { LARGEST_DOCUMENT, LARGEST_IN_WORDS } from "../problem/limits.js";
+import type { Answer } from "../state/answer.js";
 import type { Edits } from "../state/edits.js";
 import type { OpenProblem } from "../state/open-problem.js";
 import type { Solving } from "../state/solving.js";
 import { download } from "../view/download.js";
+import type { Fault } from "../worker/protocol.js";
+import { inFile } from "./fault-words.js";
+
+/** Where a text that the core refuses can be put right. */
+interface TextEditor {
+  faultOf(text: string): Promise<Fault | null>;
+  present(text: string): void;
+}
 
 export interface FileStores {
+  answer: Answer;
+  draft: TextEditor;
   problem: OpenProblem;
   gallery: Gallery;
   edits: Edits;
@@ -26,7 +37,14 @@ export async function openFile(playground: FileStores, file: File): Promise<bool
     playground.solving.refuse(`“${file.name}” could not be read. Is it a file, and still there?`);
     return false;
   }
-  return playground.edits.open(text);
+  if (await playground.edits.open(text)) return true;
+  const { answer, draft } = playground;
+  const fault = await draft.faultOf(text);
+  if (fault !== null && answer.error.peek() === fault.message) {
+    answer.error.value = inFile(file.name, text, fault);
+    draft.present(text);
+  }
+  return false;
 }
 
 /** Lets the browser save the document as it is, to be opened again here or with the command line. */

@@ -13,7 +13,8 @@ export type Ending =
   /** `replaced`: the worker did not obey a cancel, and another took its place. */
   | (Extract<Answer, { kind: "solved" }> & { replaced?: true })
   | { kind: "stale" }
-  | { kind: "lost"; message: string };
+  /** `unstarted`: the worker never came to load the core. */
+  | { kind: "lost"; message: string; unstarted?: true };
 
 interface Current {
   id: number;
@@ -139,7 +140,7 @@ export class SolverClient {
     const worked = this.ready;
     this.stopWorker();
     if (worked) this.worker = this.startWorker();
-    this.finish({ kind: "lost", message });
+    this.finish({ kind: "lost", message, ...(worked ? {} : { unstarted: true }) });
   }
 
   /** Ends a worker that is busy with a stale task, and gives the task to another. */
