@@ -1,6 +1,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { documentation } from "./scripts/documentation/plugin.mjs";
+import { stylesInElement } from "./scripts/page/styles.mjs";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -13,21 +14,6 @@ function policyInBuildOnly(): Plugin {
   };
 }
 
-/** Styles of the page around the element, and those that name the element themselves. */
-const ofThePage = /\/style\/(site|embed-page|colours)\.css$/;
-
-/** The element stands in other people's pages: its styles are for what is in it, and weigh as much as before. */
-function stylesInElement(): Plugin {
-  return {
-    name: "styles-in-element",
-    enforce: "pre",
-    transform(code, id) {
-      if (!/\/www\/src\/style\/[^/]+\.css$/.test(id) || ofThePage.test(id)) return null;
-      return { code: `:where(mo-copp-playground, .mo-copp-part) {\n${code}\n}\n`, map: null };
-    },
-  };
-}
-
 /** Other pages load the element by this name. */
 const EMBED = "mo-copp-playground";
 
@@ -36,7 +22,8 @@ export default defineConfig({
   // Relative addresses: the page works under any sub-path.
   base: "./",
   plugins: [policyInBuildOnly(), stylesInElement(), documentation()],
-  worker: { format: "es" },
+  // One script that is a module worker on its own host and a classic one elsewhere.
+  worker: { format: "iife" },
   build: {
     outDir: here("dist"),
     emptyOutDir: true,
@@ -46,6 +33,8 @@ export default defineConfig({
     // The polyfill is for browsers older than those that run module workers.
     modulePreload: { polyfill: false },
     rollupOptions: {
+      // The element's class and helpers are for other modules, too.
+      preserveEntrySignatures: "allow-extension",
       input: { index: here("www/index.html"), embed: here("www/embed.html"), [EMBED]: here("www/src/embed.ts") },
       output: {
         entryFileNames: ({ name }) => (name === EMBED ? "[name].js" : "assets/[name]-[hash].js"),

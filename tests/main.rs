@@ -9,7 +9,6 @@ mod beliefs;
 mod corrections;
 mod documents;
 mod domains;
-mod eliminations;
 mod exact;
 mod experiments;
 mod golden;

@@ -1,5 +1,6 @@
-// The page, built by Vite into dist/.
+// The page, built by Vite into dist/, and the element as one file beside it.
+import { buildSingle } from "../page/single.mjs";
 import { run } from "./run.mjs";
 
 /** Resolves to the exit code. */
-export const buildPage = () => run("vite", ["build", "--logLevel", "warn"]);
+export const buildPage = async () => (await run("vite", ["build", "--logLevel", "warn"])) || buildSingle();

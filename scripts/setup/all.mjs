@@ -17,7 +17,7 @@ export const needs = {
   lint: [...wasm, ensureRustLinters],
   rust: [ensureRust, ensurePythonPackages, ensureParallel],
   wasm,
-  browser: [...wasm, ensureChromium],
+  browser: [...wasm, ensurePythonPackages, ensureChromium],
 };
 
 /** Sets up what the given kinds of work need; ends the process, saying why, where that can't be done. */

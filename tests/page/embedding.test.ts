@@ -24,6 +24,15 @@ async function course(page: Page, body: string): Promise<void> {
   await page.goto(`${address}lesson/page.html`);
 }
 
+/** Waits until the agent's board of a playground has so many cells. */
+const cells = (page: Page, selector: string, count: number) =>
+  page.waitForFunction(
+    ([selector, count]) =>
+      document.querySelector(selector)?.shadowRoot?.querySelectorAll('[data-board="actor"] [data-cell]').length ===
+      count,
+    [selector, count] as const,
+  );
+
 const ready = (page: Page, selector: string, data = "") =>
   page.waitForSelector(`mo-copp-playground${selector}:is([data-status=optimal], [data-status=solved])${data}`);
 
@@ -122,7 +131,7 @@ test("attributes that change together are followed together, and the last ones w
     await page.locator("#one").getByText("The plan of this page").first().waitFor();
     await page.waitForSelector('#one[data-step="1"]');
     await set("#two", { problem: "eight-by-eight", src: null, horizon: null });
-    await page.waitForFunction(() => document.querySelectorAll('#two [data-board="actor"] [data-cell]').length === 64);
+    await cells(page, "#two", 64);
     // One that is still on its way is overtaken by what is asked for after it.
     let answer = () => {};
     const held = new Promise<void>((resolve) => {
@@ -240,12 +249,12 @@ test("what is dropped on one playground is not for the one that has the page", (
     await page.locator("#b .drop").waitFor();
     assert.equal(await page.locator("#a .drop").count(), 0);
     await drag("#b .stage", "drop");
-    await page.waitForFunction(() => document.querySelectorAll('#b [data-board="actor"] [data-cell]').length === 12);
+    await cells(page, "#b", 12);
     assert.equal(await page.locator("#a .title", { hasText: "One step too far" }).count(), 1);
     assert.equal(await page.locator("#a").getAttribute("data-status"), "optimal");
     // And what is dropped elsewhere is the first one's.
     await drag("h1", "drop");
-    await page.waitForFunction(() => document.querySelectorAll('#a [data-board="actor"] [data-cell]').length === 12);
+    await cells(page, "#a", 12);
   }));
 
 test("it tells the page of steps and answers", () =>

@@ -74,16 +74,17 @@ const FOLDERS: Table = &[
     ("edit", &["gesture", "problem", "state", "view"]),
     ("help", &["gesture", "view"]),
     ("gallery", &["help", "problem", "state", "view"]),
-    ("solve", &["core", "gallery", "help", "state", "view"]),
+    ("solve", &["core", "help", "state", "view"]),
     ("stage", &["core", "gesture", "help", "play", "problem", "state", "view"]),
-    ("share", &["gallery", "problem", "state", "view", "worker"]),
+    ("share", &["gallery", "problem", "state", "view"]),
     ("steps", &["core", "gallery", "help", "stage", "state", "view"]),
     ("text", &["core", "problem", "share", "state", "worker"]),
-    ("playground", &["gallery", "state", "text", "view"]),
+    ("playground", &["gallery", "state", "text"]),
     ("workbench", &["edit", "play", "solve", "state", "steps", "text"]),
     (
         "element",
         &[
+            "core",
             "edit",
             "gallery",
             "gesture",
@@ -99,7 +100,8 @@ const FOLDERS: Table = &[
             "worker",
         ],
     ),
-    ("entry", &["element"]),
+    ("frame", &["element"]),
+    ("entry", &["element", "frame"]),
 ];
 
 /// The module of a file: the first name below `src/`.

@@ -1,4 +1,4 @@
-// The element and its styles, for any page.
+// The playground of the stand-alone page, its styles and all that its first picture takes.
 import "./style/colours.css";
 import "./style/page.css";
 import "./style/board.css";
@@ -15,6 +15,6 @@ import "./style/share.css";
 import "./style/help.css";
 import "./style/steps.css";
 import "./style/text.css";
-import { MoCoppPlayground } from "./element/mo-copp-playground.js";
-
-customElements.define("mo-copp-playground", MoCoppPlayground);
+import "./style/views.css";
+import "./element/view.js";
+import "./embed.js";

@@ -15,6 +15,7 @@ import type { GridworldDocument, Role } from "../problem/types.js";
 import type { Tool } from "../state/editing.js";
 import type { Timeline } from "../state/timeline.js";
 import { called } from "../view/observers.js";
+import { playgroundAround } from "../view/surroundings.js";
 import { attempt, type Edited, type FieldStores, presetField, textField } from "./fields.js";
 
 export interface ObserverFormStores extends FieldStores {
@@ -31,10 +32,11 @@ export function observerForm(playground: ObserverFormStores, document: Gridworld
   const cells = (count: number) => (count === 1 ? "1 cell" : `${count} cells`);
   const watched = camerasOf(document, role).filter((cell) => isFree(document, cell)).length;
   const edit = (edited: Edited) => attempt(playground, `${role}-cells`, edited);
-  const paint = (tool: Tool) => {
+  const paint = (tool: Tool) => (event: Event) => {
     take(playground, tool);
     // The boards are above: the hand needs to see them.
-    globalThis.document.querySelector(`[data-board=${role}]`)?.scrollIntoView({ block: "nearest" });
+    const around = playgroundAround(event.currentTarget as Element);
+    around?.querySelector(`[data-board=${role}]`)?.scrollIntoView({ block: "nearest" });
   };
   return html`<fieldset class="observer ${role}">
     <legend>What the ${called[role]} sees</legend>
@@ -55,14 +57,14 @@ export function observerForm(playground: ObserverFormStores, document: Gridworld
       <span><b>Cameras</b> in ${watched === 0 ? "no cell" : cells(watched)}</span>
       <button type="button" @click=${() => edit(watchNowhere(document, role))}>None</button>
       <button type="button" @click=${() => edit(watchEverywhere(document, role))}>Everywhere</button>
-      <button type="button" @click=${() => paint("cameras")}>Paint</button>
+      <button type="button" @click=${paint("cameras")}>Paint</button>
       <small>Where a camera is, the ${called[role]} sees the agent exactly.</small>
     </div>
     <div class="choice" role="group" aria-label="First belief of the ${called[role]}">
       <span><b>First belief</b>: ${cells(beliefOf(document, role).length)}</span>
       <button type="button" @click=${() => edit(believeStart(document, role))}>Start alone</button>
       <button type="button" @click=${() => edit(believeEverywhere(document, role))}>Everywhere</button>
-      <button type="button" @click=${() => paint("belief")}>Paint</button>
+      <button type="button" @click=${paint("belief")}>Paint</button>
       <small>Where the ${called[role]} thinks the agent may begin; the start is always among these cells.</small>
     </div>
   </fieldset>`;

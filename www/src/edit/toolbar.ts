@@ -20,7 +20,7 @@ export function toolbar(playground: ToolbarStores): TemplateResult | "" {
   const act = (name: string, icon: TemplateResult, possible: boolean, action: () => void) =>
     html`<button type="button" class="tool" title=${name} aria-label=${name} aria-disabled=${String(!possible)}
       @click=${() => possible && action()}>${icon}<span aria-hidden="true">${name}</span></button>`;
-  return html`<section class="toolbar" aria-label="Editing">
+  return html`<section class="toolbar" part="toolbar" aria-label="Editing">
     ${
       offered.length > 0
         ? html`<div class="tools" role="group" aria-label="Tools">

@@ -1,10 +1,12 @@
-// What a playground tells the page it stands in: `mo-copp-step` and `mo-copp-outcome`.
+// What a playground tells the page it stands in: `mo-copp-step`, `mo-copp-outcome` and `mo-copp-score`.
 import type { Playground } from "../playground/playground.js";
 import type { Result } from "../state/answer.js";
+import { scoreOf } from "./score.js";
 
 export class Notifier {
   private step: string | null = null;
   private result: Result | null = null;
+  private score: number | null = null;
 
   constructor(
     private readonly playground: Playground,
@@ -32,6 +34,9 @@ export class Notifier {
     const outcome = answer.result.value;
     if (outcome !== null && outcome !== this.result) this.send("mo-copp-outcome", outcome.outcome);
     this.result = outcome;
+    const score = scoreOf(this.playground);
+    if (score !== null && score !== this.score) this.send("mo-copp-score", { score });
+    this.score = score;
   }
 
   private send(name: string, detail: unknown): void {

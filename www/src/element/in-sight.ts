@@ -4,9 +4,9 @@
 /** Room between the two, in pixels. */
 const ROOM = 8;
 
-export function keepInSight(element: Element): (event: FocusEvent) => void {
+export function keepInSight(root: ParentNode): (event: FocusEvent) => void {
   return ({ target }) => {
-    const bar = element.querySelector(".stepper");
+    const bar = root.querySelector(".stepper");
     if (!(target instanceof Element) || bar === null || bar.contains(target) || !target.matches(":focus-visible"))
       return;
     const [at, over] = [target.getBoundingClientRect(), bar.getBoundingClientRect()];

@@ -1,39 +1,83 @@
-// Keys that work wherever the focus is, as long as nothing there has keys of its own: ← → Home End Space walk through
-// the steps, and ? opens the help.
+// Keys that work wherever in the playground the focus is, as long as nothing there has keys of its own: ← → Home End
+// Space walk through the steps, ? opens the help, and undo and redo edit. By `keys` they work where nothing on the page
+// has the focus, too ("page"), in the playground alone ("focus"), or not at all ("off"). A key that was handled here
+// never reaches the page.
+import { shortcut } from "../gesture/shortcuts.js";
 import { openHelp } from "../help/help.js";
 import type { Playground } from "../playground/playground.js";
 import { inField } from "../view/typing.js";
 
+export const keyReaches = ["page", "focus", "off"] as const;
+export type KeyReach = (typeof keyReaches)[number];
+
 /** The playgrounds of the page, in the order in which they came: the first has the keys when no other has the focus. */
 const listening: PageKeys[] = [];
 
+const own = `dialog, [role=tab], [role=slider], [role=application], [role=grid], [role=listbox], [role=radio]`;
+
 export class PageKeys {
+  /** The keys that were handled when they went down: the page does not hear of them going up either. */
+  private readonly handled = new Set<string>();
+
   constructor(
     private readonly playground: Playground,
-    private readonly element: HTMLElement,
+    /** What the playground is drawn into. */
+    private readonly root: HTMLElement,
+    private readonly reach: () => KeyReach,
   ) {}
 
   listen(): void {
-    if (listening.length === 0) window.addEventListener("keydown", pressedKey);
+    this.root.addEventListener("keydown", this.pressed);
+    this.root.addEventListener("keypress", this.rest);
+    this.root.addEventListener("keyup", this.rest);
+    if (listening.length === 0) {
+      window.addEventListener("keydown", pressedOutside, { capture: true });
+      window.addEventListener("keyup", releasedOutside, { capture: true });
+    }
     listening.push(this);
   }
 
   release(): void {
+    this.root.removeEventListener("keydown", this.pressed);
+    this.root.removeEventListener("keypress", this.rest);
+    this.root.removeEventListener("keyup", this.rest);
     listening.splice(listening.indexOf(this), 1);
-    if (listening.length === 0) window.removeEventListener("keydown", pressedKey);
+    if (listening.length > 0) return;
+    window.removeEventListener("keydown", pressedOutside, { capture: true });
+    window.removeEventListener("keyup", releasedOutside, { capture: true });
   }
 
-  contains(target: Node): boolean {
-    return this.element.contains(target);
+  /** Whether keys that are for nothing on the page are for this. */
+  get hasPage(): boolean {
+    return this.reach() === "page";
   }
 
-  /** Whether a key pressed is this playground's: it has the focus, or nothing has it and this is the first. */
-  areFor(event: KeyboardEvent): boolean {
-    return takerOf(placeOf(event)) === this;
+  get dragging(): boolean {
+    return this.playground.editing.drag.value !== null;
   }
 
-  /** True where the key was one of these. */
-  take(key: string, on: Element): boolean {
+  contains(event: Event): boolean {
+    return event.composedPath().includes(this.root);
+  }
+
+  modal(): boolean {
+    return this.root.getRootNode() instanceof ShadowRoot && this.root.querySelector("dialog:modal") !== null;
+  }
+
+  /** Does what a key is for; it then is handled. */
+  take(event: KeyboardEvent, on: Element): void {
+    shortcut(this.playground, event);
+    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey || inField(event)) return;
+    if (event.key === "?") {
+      event.preventDefault();
+      void openHelp(undefined, this.root);
+    } else if (!event.shiftKey && on.closest(own) === null && this.walk(event.key, on)) {
+      event.preventDefault();
+    }
+  }
+
+  /** True where the key was one of those that walk through the steps. */
+  private walk(key: string, on: Element): boolean {
     const { timeline, boards } = this.playground;
     if (key === " ") {
       if (on.closest("button, a, summary, [role=button]") !== null) return false;
@@ -41,7 +85,7 @@ export class PageKeys {
       else timeline.play();
       return true;
     }
-    // Arrows walk while somebody is the agent.
+    // Arrows walk while the person is the agent.
     if (boards.mode.value === "walk" && key.startsWith("Arrow")) return false;
     const target: Record<string, number> = {
       Home: 0,
@@ -54,32 +98,52 @@ export class PageKeys {
     timeline.goTo(step);
     return true;
   }
+
+  private readonly pressed = (event: KeyboardEvent) => {
+    const on = placeOf(event);
+    if (!event.defaultPrevented && this.reach() !== "off") this.take(event, on);
+    if (!event.defaultPrevented && !isNative(event, on)) return;
+    this.handled.add(event.code);
+    event.stopPropagation();
+  };
+
+  private readonly rest = (event: KeyboardEvent) => {
+    if (this.handled.has(event.code) || (event.type === "keypress" && inField(event))) event.stopPropagation();
+    if (event.type === "keyup") this.handled.delete(event.code);
+  };
 }
 
-const others = `dialog, [role=tab], [role=slider], [role=application], [role=grid], [role=listbox], [role=radio]`;
+const placeOf = (event: Event): Element => {
+  const [target] = event.composedPath();
+  return target instanceof Element ? target : document.body;
+};
 
-const placeOf = ({ target }: Event): Element => (target instanceof Element ? target : document.body);
-
-function takerOf(on: Element): PageKeys | undefined {
-  const outside = on === document.body || on === document.documentElement;
-  return listening.find((keys) => keys.contains(on)) ?? (outside ? listening[0] : undefined);
+/** Keys that the browser itself uses there, and no page should use beside it. */
+function isNative(event: KeyboardEvent, on: Element): boolean {
+  if (event.key === "Tab") return false;
+  if (on.closest("dialog") !== null) return true;
+  if (event.key === "Escape") return false;
+  return inField(event) || ([" ", "Enter"].includes(event.key) && on.closest("button, a, summary") !== null);
 }
 
-function pressedKey(event: KeyboardEvent): void {
-  if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
+/** Of keys pressed outside of every playground, those that are for the first that takes them come before the page's. */
+function pressedOutside(event: KeyboardEvent): void {
+  if (listening.some((keys) => keys.contains(event))) return;
   const on = placeOf(event);
-  if (event.key === "?") {
-    if (inField(event)) return;
-    event.preventDefault();
-    void openHelp();
-    return;
-  }
-  if (
-    event.shiftKey ||
-    inField(event) ||
-    on.closest(others) !== null ||
-    document.querySelector("dialog:modal") !== null
-  )
-    return;
-  if (takerOf(on)?.take(event.key, on)) event.preventDefault();
+  const nowhere = on === document.body || on === document.documentElement;
+  const dragging = listening.find((keys) => keys.dragging);
+  const taker = dragging ?? listening.find((keys) => keys.hasPage);
+  if (taker === undefined || event.defaultPrevented) return;
+  if (dragging === undefined && !nowhere && (event.key !== "?" || inField(event))) return;
+  if (document.querySelector("dialog:modal") !== null || listening.some((keys) => keys.modal())) return;
+  taker.take(event, on);
+  if (!event.defaultPrevented) return;
+  handledOutside.add(event.code);
+  event.stopPropagation();
+}
+
+const handledOutside = new Set<string>();
+
+function releasedOutside(event: KeyboardEvent): void {
+  if (handledOutside.delete(event.code)) event.stopPropagation();
 }

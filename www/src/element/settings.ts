@@ -1,8 +1,9 @@
 // What a page asks of a playground by the element's attributes.
 
 import type { Playground } from "../playground/playground.js";
-import { LARGEST_DOCUMENT } from "../problem/limits.js";
 import { type Form, solverNames } from "../state/form.js";
+import { type KeyReach, keyReaches } from "./page-keys.js";
+import { themes } from "./theme.js";
 
 /** The parts that can be left out, by `hide`. */
 export const parts = ["gallery", "share", "tools", "stepper", "legend", "workbench", "goals"] as const;
@@ -28,6 +29,12 @@ export function settingsOf(element: Element): Settings {
   return Object.fromEntries(settingNames.map((name) => [name, element.getAttribute(name)])) as unknown as Settings;
 }
 
+/** The playground that has the page's address has its keys, unless the page says otherwise. */
+export function keyReachOf(element: Element): KeyReach {
+  const asked = element.getAttribute("keys");
+  return keyReaches.find((reach) => reach === asked) ?? (element.getAttribute("link") === "off" ? "focus" : "page");
+}
+
 export function hiddenParts(text: string | null): ReadonlySet<string> {
   return new Set((text ?? "").split(/[\s,]+/));
 }
@@ -38,10 +45,12 @@ const pageParts = ["intro", "footer"] as const;
 /** What of these attributes can't be used: a sentence for each that says what was expected. */
 export function mistakes(element: Element, names: ReadonlySet<string>): string[] {
   const value = (name: string) => (names.has(name) ? element.getAttribute(name) : null);
-  const [solver, step] = [value("solver"), value("step")];
+  const [solver, step, theme, keys] = [value("solver"), value("step"), value("theme"), value("keys")];
   const found: string[] = [];
   if (solver !== null && !isOneOf(solverNames, solver)) found.push(unusable("solver", solver, solverNames.join(", ")));
   if (step !== null && stepOf(step) === null) found.push(unusable("step", step, "a whole number from 0"));
+  if (theme !== null && !isOneOf(themes, theme)) found.push(unusable("theme", theme, themes.join(", ")));
+  if (keys !== null && !isOneOf(keyReaches, keys)) found.push(unusable("keys", keys, keyReaches.join(", ")));
   for (const part of hiddenParts(value("hide"))) {
     const known = part === "" || isOneOf(parts, part) || isOneOf(pageParts, part);
     if (!known) found.push(unusable("hide", part, `parts of the playground: ${parts.join(", ")}`));
@@ -102,12 +111,15 @@ async function openProblem(
   return wanted() && gallery.open(problem);
 }
 
+/** Larger than any problem that can be drawn. */
+const LARGEST = 2_000_000;
+
 async function fetched(address: string): Promise<string | null> {
   try {
     const response = await fetch(new URL(address, document.baseURI));
-    if (!response.ok || Number(response.headers.get("Content-Length")) > LARGEST_DOCUMENT) return null;
+    if (!response.ok || Number(response.headers.get("Content-Length")) > LARGEST) return null;
     const text = await response.text();
-    return text.length > LARGEST_DOCUMENT ? null : text;
+    return text.length > LARGEST ? null : text;
   } catch {
     return null;
   }
@@ -128,8 +140,7 @@ async function showPlan(playground: Playground, plan: string, wanted: () => bool
   if (named !== undefined) await playground.gallery.show(named);
   else
     await playground.plans.show(
-      // An empty text is the plan without actions.
-      plan.trim() === "" ? [] : plan.split(",").map((action) => action.trim()),
+      plan.split(",").map((action) => action.trim()),
       "The plan of this page",
       wanted,
     );

@@ -3,6 +3,7 @@ import { html, type TemplateResult } from "lit";
 import type { Workbench } from "../state/workbench.js";
 import { closeAround } from "../view/dialog.js";
 import { cross } from "../view/icons.js";
+import { playgroundAround } from "../view/surroundings.js";
 import { type Entry, entries } from "./entries.js";
 import type { Gallery } from "./gallery.js";
 import { thumbnail } from "./thumbnail.js";
@@ -50,5 +51,5 @@ export function openGallery(playground: MenuStores, part: Element): void {
   const { gallery } = playground;
   gallery.menuOpen.value = true;
   void gallery.load();
-  part.closest("mo-copp-playground")?.querySelector<HTMLDialogElement>("dialog.gallery")?.showModal();
+  playgroundAround(part)?.querySelector<HTMLDialogElement>("dialog.gallery")?.showModal();
 }

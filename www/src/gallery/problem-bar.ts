@@ -23,7 +23,7 @@ export function problemBar(playground: ProblemBarStores, link: TemplateResult | 
     at === -1 ? "All problems" : html`<span class="where-word">Problem</span> ${at + 1} of ${entries.length}`;
   const turn = (label: string, sign: TemplateResult, way: number) =>
     html`<button type="button" class="sign" aria-label=${label} title=${label} @click=${() => void gallery.turn(way)}>${sign}</button>`;
-  return html`<section class="problem-bar" aria-label="Problem">
+  return html`<section class="problem-bar" part="problem-bar" aria-label="Problem">
     <div class="pick">
       <button type="button" class="current" aria-haspopup="dialog" title="All problems"
         @click=${(event: Event) => openGallery(playground, event.currentTarget as Element)}>
@@ -36,7 +36,7 @@ export function problemBar(playground: ProblemBarStores, link: TemplateResult | 
     ${plans(playground, entry?.plans ?? [])}
     <div class="share">
       ${link}
-      <button type="button" class="sign" aria-label="Help" title="Help: keys and words (?)" @click=${() => void openHelp()}>${question}</button>
+      <button type="button" class="sign" aria-label="Help" title="Help: keys and words (?)" @click=${(event: Event) => void openHelp(undefined, event.currentTarget as Element)}>${question}</button>
     </div>
   </section>`;
 }

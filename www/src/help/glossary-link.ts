@@ -9,6 +9,6 @@ export function glossaryLink(term: Term, text: string | TemplateResult): Templat
     @click=${(event: Event) => {
       // In a label, the field would be chosen as well.
       event.preventDefault();
-      void openHelp(term);
+      void openHelp(term, event.currentTarget as Element);
     }}>${text}</button>`;
 }

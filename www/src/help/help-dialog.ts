@@ -2,22 +2,37 @@
 import { html, render, type TemplateResult } from "lit";
 import { closeAround } from "../view/dialog.js";
 import { cross } from "../view/icons.js";
+import { playgroundAround } from "../view/surroundings.js";
 import { type Definition, glossary } from "./glossary.js";
 import { type KeyGroup, keyGroups } from "./keys.js";
 import type { Term } from "./terms.js";
 
-let dialog: HTMLDialogElement | undefined;
-/** Styles reach what is in a playground, or in this. */
-const holder = document.createElement("div");
-holder.className = "mo-copp-part";
+/** The dialog of each tree: the page's own, and one in the shadow root of each playground that has one. */
+const dialogs = new WeakMap<Node, HTMLDialogElement>();
 
 /** Opens the dialog, at a term of the glossary if one is named. */
-export function showHelp(term?: Term): void {
-  dialog ??= made();
-  if (!holder.isConnected) document.body.append(holder);
+export function showHelp(term: Term | undefined, part: Element): void {
+  const root = part.getRootNode();
+  let dialog = dialogs.get(root);
+  if (dialog === undefined) {
+    dialog = made();
+    dialogs.set(root, dialog);
+    holder(part, root).append(dialog);
+  }
   if (!dialog.open) dialog.showModal();
-  if (term !== undefined) showTerm(term);
+  if (term !== undefined) showTerm(dialog, term);
   else dialog.scrollTop = 0;
+}
+
+/** Styles reach what is in a playground, or in this; beside what the playground draws. */
+function holder(part: Element, root: Node): HTMLElement {
+  const around = playgroundAround(part);
+  const inShadow = root instanceof ShadowRoot && around !== null;
+  const element = inShadow ? (around.cloneNode() as HTMLElement) : document.createElement("div");
+  element.className = "mo-copp-part";
+  element.removeAttribute("part");
+  (inShadow ? root : document.body).append(element);
+  return element;
 }
 
 function made(): HTMLDialogElement {
@@ -26,12 +41,11 @@ function made(): HTMLDialogElement {
   element.setAttribute("aria-labelledby", "mo-copp-help");
   element.addEventListener("click", closeAround);
   render(content(), element);
-  holder.append(element);
   return element;
 }
 
-function showTerm(term: Term): void {
-  const entry = dialog?.querySelector<HTMLElement>(`[data-entry="${term}"]`);
+function showTerm(dialog: HTMLElement, term: Term): void {
+  const entry = dialog.querySelector<HTMLElement>(`[data-entry="${term}"]`);
   entry?.scrollIntoView({ block: "start" });
   entry?.focus({ preventScroll: true });
 }
@@ -59,8 +73,8 @@ function content(): TemplateResult {
 }
 
 const part = (title: string, name: string): TemplateResult =>
-  html`<button type="button" class="link" @click=${() => {
-    const section = dialog?.querySelector<HTMLElement>(`[data-part="${name}"]`);
+  html`<button type="button" class="link" @click=${(event: Event) => {
+    const section = dialogAround(event)?.querySelector<HTMLElement>(`[data-part="${name}"]`);
     section?.scrollIntoView({ block: "start" });
     section?.focus({ preventScroll: true });
   }}>${title}</button>`;
@@ -80,4 +94,9 @@ const definition = ({ term, name, symbol, meaning, source }: Definition): Templa
 
 /** From one definition to another. */
 const see = (term: Term, text: string): TemplateResult =>
-  html`<button type="button" class="term" @click=${() => showTerm(term)}>${text}</button>`;
+  html`<button type="button" class="term" @click=${(event: Event) => {
+    const dialog = dialogAround(event);
+    if (dialog !== null) showTerm(dialog, term);
+  }}>${text}</button>`;
+
+const dialogAround = (event: Event): HTMLDialogElement | null => (event.currentTarget as Element).closest("dialog");

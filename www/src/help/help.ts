@@ -1,7 +1,9 @@
-// Opens the help. Its text is loaded when somebody asks for it; one dialog serves the whole page.
+// Opens the help. Its text is loaded when somebody asks for it; one dialog serves the whole page, or a
+// whole shadow root.
 import type { Term } from "./terms.js";
 
-export async function openHelp(term?: Term): Promise<void> {
+/** `part`: a part of the playground that the help is for. */
+export async function openHelp(term: Term | undefined, part: Element): Promise<void> {
   const { showHelp } = await import("./help-dialog.js");
-  showHelp(term);
+  showHelp(term, part);
 }

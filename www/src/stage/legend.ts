@@ -31,7 +31,7 @@ const enemysMark = svg`<path class="mark enemy on" d="M0.5 0.12l0.38 0.38l-0.38 
 const friendsMark = svg`<circle class="mark friend on" cx="0.5" cy="0.5" r="0.34"></circle>`;
 const trueGoal = svg`<path class="star" transform="translate(0.5 0.54) scale(0.48)" d=${starPath}></path>`;
 
-const signs: TemplateResult = html`<ul class="legend" aria-label="What the signs mean">
+const signs: TemplateResult = html`<ul class="legend" part="legend" aria-label="What the signs mean">
   ${sample(svg`<circle class="here" cx="0.5" cy="0.5" r="0.32"></circle>`, "agent")}
   ${sample(trueGoal, "true goal")}
   ${sample(svg`<circle class="start" cx="0.5" cy="0.5" r="0.3"></circle>`, "start")}
@@ -45,7 +45,7 @@ const signs: TemplateResult = html`<ul class="legend" aria-label="What the signs
 const parcel = (share: number) =>
   svg`<g transform="translate(0.07 0.07) scale(0.86)">${shelfPackage("", { x: 0, y: 0 }, share, false)}</g>`;
 
-const deliverySigns: TemplateResult = html`<ul class="legend" aria-label="What the signs mean">
+const deliverySigns: TemplateResult = html`<ul class="legend" part="legend" aria-label="What the signs mean">
   ${sample(parcel(0), "package at its factory")}
   ${sample(parcel(1), "surely in the truck")}
   ${sample(parcel(0.5), "perhaps in the truck")}

@@ -1,6 +1,5 @@
 // The stage: the agent in the middle, the enemy on one side and the friend on the other, all at the same step.
 import { html, nothing, type TemplateResult } from "lit";
-import { type WalkControlStores, walkControls } from "../play/walk-controls.js";
 import { hasWalkKeys, type WalkKeyStores, walkByKey, walkByPointer } from "../play/walk-keys.js";
 import type { Answer } from "../state/answer.js";
 import type { BoardInput, BoardName } from "./board-input.js";
@@ -13,7 +12,6 @@ import type { BoardStores } from "./view.js";
 
 export interface StageStores
   extends BoardStores,
-    WalkControlStores,
     WalkKeyStores,
     GoalDifferenceStores,
     PanelHeadStores,
@@ -41,13 +39,12 @@ export function stage(playground: StageStores): TemplateResult {
   }
   const input = { scene, trace: trace.value, step: step.value, shown: shown.value };
   const guessing = playground.boards.mode.value === "guess";
-  return html`<div class="stage">
+  return html`<div class="stage" part="boards">
     ${boardNames.map((name) => {
       const hidden = guessing && name !== "adversarial";
-      return html`<figure class="panel ${name}" data-hidden=${hidden || nothing}>
+      return html`<figure class="panel ${name}" part="board ${name}-board" data-hidden=${hidden || nothing}>
         <figcaption>${panelHead(name, playground)} ${hidden ? nothing : symbols(name, playground)}</figcaption>
         ${hidden ? html`<p class="covered">Covered while you are the enemy.</p>` : walkable(name, input, playground)}
-        ${name === "actor" && playground.boards.mode.value === "walk" ? walkControls(playground) : nothing}
         <div class="verdict">
           ${hidden ? nothing : name === "actor" ? goalDifference(playground) : survivors(name, input, playground)}
         </div>

@@ -1,5 +1,4 @@
 // The pictures that are loaded when they are needed: which one a problem gets.
-import "../style/views.css";
 import type { Scene } from "../core.js";
 import { blocksKind, isBlocks } from "./blocks/kind.js";
 import { boxPushingView } from "./box-pushing/view.js";

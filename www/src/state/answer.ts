@@ -23,8 +23,6 @@ export class Answer {
   /** Solving takes so long that it should be seen. */
   readonly slow = signal(false);
   readonly error = signal<string | null>(null);
-  /** The error is that no solver could be started: a second try may find one. */
-  readonly unstarted = signal(false);
   readonly progress = signal<Progress | null>(null);
   /** How long the solver has been at work. */
   readonly stopwatch = new Stopwatch();
@@ -37,7 +35,6 @@ export class Answer {
     if (this.status.value !== "solving") this.stopwatch.start();
     batch(() => {
       this.error.value = null;
-      this.unstarted.value = false;
       this.status.value = "solving";
     });
   }
@@ -71,7 +68,6 @@ export class Answer {
       this.slow.value = false;
       this.status.value = "error";
       this.error.value = ending.kind === "refused" ? ending.message : lost(ending);
-      this.unstarted.value = ending.kind === "lost" && ending.unstarted === true;
     });
   }
 
@@ -79,7 +75,6 @@ export class Answer {
   dismiss(): void {
     if (this.status.value !== "error") return;
     this.error.value = null;
-    this.unstarted.value = false;
     this.status.value = this.result.value?.outcome.status ?? "idle";
   }
 

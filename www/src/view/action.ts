@@ -1,4 +1,2 @@
 // Actions as people read them: PDDL writes `(stack a b)`.
-import { visible } from "../problem/unseen.js";
-
-export const actionText = (action: string | null): string => visible((action ?? "").replace(/^\((.*)\)$/s, "$1"));
+export const actionText = (action: string | null): string => (action ?? "").replace(/^\((.*)\)$/s, "$1");

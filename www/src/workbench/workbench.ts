@@ -54,7 +54,7 @@ export function workbench(stores: WorkbenchStores): TemplateResult {
   const id = (kind: string, name: string) => `${bench.id}-${kind}-${name}`;
   // A link may name a tab that this page does not have.
   const open = guessing ? "play" : (tabs.find(({ name }) => name === bench.tab.value) ?? tabs[0])?.name;
-  return html`<section class="card workbench" aria-label="Workbench">
+  return html`<section class="card workbench" part="workbench" aria-label="Workbench">
     <div class="tabs" role="tablist" aria-label="Workbench" @keydown=${keys(bench)}>
       ${tabs.map(
         ({

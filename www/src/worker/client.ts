@@ -3,6 +3,7 @@
 import type { Progress, Scene, Trace } from "../core.js";
 import { keptOutcome } from "./kept-outcome.js";
 import type { Answer, Message, Reply, Task, Update } from "./protocol.js";
+import { type SolverWorker, startWorker } from "./start.js";
 
 /** A worker that has not taken up a task or answered a cancel by then is in one long piece of work: it is ended. */
 const PATIENCE_MS = 2000;
@@ -13,8 +14,7 @@ export type Ending =
   /** `replaced`: the worker did not obey a cancel, and another took its place. */
   | (Extract<Answer, { kind: "solved" }> & { replaced?: true })
   | { kind: "stale" }
-  /** `unstarted`: the worker never came to load the core. */
-  | { kind: "lost"; message: string; unstarted?: true };
+  | { kind: "lost"; message: string };
 
 interface Current {
   id: number;
@@ -30,7 +30,7 @@ interface Current {
 }
 
 export class SolverClient {
-  private worker: Worker | null = null;
+  private worker: SolverWorker | null = null;
   /** Whether this worker has loaded the core. One that never did is not replaced before it is needed again. */
   private ready = false;
   private lastId = 0;
@@ -84,12 +84,9 @@ export class SolverClient {
     this.worker.postMessage(message);
   }
 
-  private startWorker(): Worker {
+  private startWorker(): SolverWorker {
     this.ready = false;
-    const worker = new Worker(new URL("./solver.worker.ts", import.meta.url), {
-      type: "module",
-      name: "mo-copp solver",
-    });
+    const worker = startWorker();
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.take(data);
     worker.onmessageerror = () => this.lose("a message of the solver could not be read");
     worker.onerror = (event) => {
@@ -105,7 +102,9 @@ export class SolverClient {
   }
 
   private take(reply: Reply): void {
-    if (reply.kind === "ready") {
+    if (reply.kind === "ask") {
+      // The worker's own affair: elsewhere.ts answers.
+    } else if (reply.kind === "ready") {
       this.ready = true;
     } else if (reply.kind === "broken") {
       this.lose(reply.message);
@@ -140,7 +139,7 @@ export class SolverClient {
     const worked = this.ready;
     this.stopWorker();
     if (worked) this.worker = this.startWorker();
-    this.finish({ kind: "lost", message, ...(worked ? {} : { unstarted: true }) });
+    this.finish({ kind: "lost", message });
   }
 
   /** Ends a worker that is busy with a stale task, and gives the task to another. */

@@ -2,6 +2,8 @@
 // fetched the first time something needs it, and does everything from then on. Which things need it, the light core says.
 import initFull, { Problem as FullProblem } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";
+import { WAITING } from "./names.js";
+import type { CoreMessage } from "./protocol.js";
 
 /** A core at work: it reads documents. */
 export interface Core {
@@ -15,11 +17,44 @@ const NOT_LOADED =
   "The part of the program for PDDL and integer programs could not be loaded. Your problem is as it was. " +
   "Check the connection, then try again.";
 
+const NO_WASM =
+  "WebAssembly could not be started: the page’s policy must allow 'wasm-unsafe-eval' in script-src, or the browser forbids it";
+
 let current = light;
 let loading: Promise<void> | null = null;
 
-/** Loads the light core. */
-export const loadLight = (): Promise<unknown> => initLight();
+/** Settles for each core when the page has sent it, where the page has to. */
+const sent = { light: waits(), full: waits() };
+const isWaiting = (globalThis as { name?: string }).name === WAITING;
+let ask = () => {};
+
+/** Loads the core with which work begins. A page that sends the full one alone has it used for everything. */
+export function loadFirst(askForFull: () => void): Promise<void> {
+  ask = askForFull;
+  return explained(isWaiting ? startSent() : startLight());
+}
+
+/** Whichever the page sends first. */
+async function startSent(): Promise<void> {
+  const { light, full } = sent;
+  const starts = [
+    light.promise.then((core) => () => startLight(core)),
+    full.promise.then((core) => () => startFull(core)),
+  ];
+  const start = await Promise.race(starts);
+  await start();
+}
+
+/** What the page sent. */
+export function takeCore(message: CoreMessage): void {
+  const { resolve, reject } = sent[message.kind];
+  if (message.core !== null) {
+    resolve(message.core);
+    return;
+  }
+  reject(new Error(message.error));
+  sent[message.kind] = waits();
+}
 
 /** Whether an error is the light core's word that the full one is needed. */
 const needsFullCore = (error: unknown) => error instanceof Error && error.name === "NeedsFullCore";
@@ -49,9 +84,7 @@ export async function onCore<T>(
 
 /** One load for all who wait for it; a load that failed is tried again by the next. */
 async function toFullCore(): Promise<void> {
-  loading ??= initFull().then(() => {
-    current = full;
-  });
+  loading ??= isWaiting ? askForFull() : startFull();
   try {
     await loading;
   } catch {
@@ -59,4 +92,42 @@ async function toFullCore(): Promise<void> {
     // Not one of the errors that say that a core is broken: the light one is as good as before.
     throw new Error(NOT_LOADED);
   }
+}
+
+function askForFull(): Promise<void> {
+  ask();
+  return sent.full.promise.then(startFull);
+}
+
+async function startLight(bytes?: BufferSource): Promise<void> {
+  await initLight(bytes === undefined ? undefined : { module_or_path: bytes });
+}
+
+async function startFull(bytes?: BufferSource): Promise<void> {
+  await initFull(bytes === undefined ? undefined : { module_or_path: bytes });
+  current = full;
+}
+
+/** A policy that forbids WebAssembly is a matter of the page: the browser's own words do not say what to change. */
+async function explained(start: Promise<void>): Promise<void> {
+  try {
+    await start;
+  } catch (error) {
+    const forbidden = error instanceof WebAssembly.CompileError && /policy|unsafe-eval|disallowed/i.test(error.message);
+    throw forbidden ? new WebAssembly.CompileError(NO_WASM) : error;
+  }
+}
+
+interface Waits {
+  promise: Promise<BufferSource>;
+  resolve: (core: BufferSource) => void;
+  reject: (error: Error) => void;
+}
+
+function waits(): Waits {
+  const parts: Partial<Waits> = {};
+  const promise = new Promise<BufferSource>((resolve, reject) => Object.assign(parts, { resolve, reject }));
+  // It is asked for when it is needed; until then a refusal is no error.
+  promise.catch(() => undefined);
+  return { ...parts, promise } as Waits;
 }

@@ -19,6 +19,11 @@ export type Task =
 /** Page to worker. `cancel` names the request it ends. */
 export type Message = (Task & { id: number }) | { kind: "cancel"; id: number };
 
+/** Page to worker, where the worker cannot fetch the core by itself: the core, or why there is none. */
+export type CoreMessage =
+  | { kind: "light" | "full"; core: ArrayBuffer }
+  | { kind: "light" | "full"; core: null; error: string };
+
 /** What is wrong with a document, and where. */
 export type Fault = Pick<DocumentError, "message" | "place" | "path" | "line" | "column">;
 
@@ -51,4 +56,8 @@ export type Answer =
 /** Worker to page. */
 export type Reply =
   /** The core is loaded. */
-  { kind: "ready" } | (Answer & { id: number }) | (Update & { id: number });
+  | { kind: "ready" }
+  /** The full core is needed, by a worker that cannot fetch it. */
+  | { kind: "ask" }
+  | (Answer & { id: number })
+  | (Update & { id: number });

@@ -1,9 +1,9 @@
 // The worker: the only place that runs the core. One task at a time; a newer one makes the older ones stale.
 import type { Problem } from "../../pkg/mo_copp.js";
 import type { SolveOptions } from "../core.js";
-import { type Core, loadLight, onCore } from "./cores.js";
+import { type Core, loadFirst, onCore, takeCore } from "./cores.js";
 import { failure, faultIn } from "./failure.js";
-import type { Answer, Fault, Message, Reply, Task } from "./protocol.js";
+import type { Answer, CoreMessage, Fault, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
 import { nextTurn } from "./turn.js";
 
@@ -17,12 +17,14 @@ let cancelled = 0;
 let open: { core: Core; document: string; problem: Problem } | null = null;
 
 const post = (reply: Reply) => self.postMessage(reply);
-const loaded = loadLight().then(() => post({ kind: "ready" }));
+const loaded = loadFirst(() => post({ kind: "ask" })).then(() => post({ kind: "ready" }));
 // Each task waits for it and reports its failure; this only keeps the console quiet until one does.
 loaded.catch(() => undefined);
 
-self.onmessage = ({ data }: MessageEvent<Message>) => {
-  if (data.kind === "cancel") {
+self.onmessage = ({ data }: MessageEvent<Message | CoreMessage>) => {
+  if ("core" in data) {
+    takeCore(data);
+  } else if (data.kind === "cancel") {
     cancelled = data.id;
   } else {
     newest = data.id;

@@ -8,7 +8,7 @@ const sample = ([mark, meaning]: readonly [SVGTemplateResult, string]) =>
 
 /** The signs of every such board, and those that the domain adds. */
 export const poseSigns = (more: readonly (readonly [SVGTemplateResult, string])[]): TemplateResult =>
-  html`<ul class="legend" aria-label="What the signs mean">
+  html`<ul class="legend" part="legend" aria-label="What the signs mean">
     ${[
       [svg`${robot("actor", [0, 0], 1.6, false, null)}`, "robot"] as const,
       ...more,

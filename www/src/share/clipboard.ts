@@ -1,4 +1,5 @@
 // Putting text on the clipboard.
+import { focused } from "../view/surroundings.js";
 
 /** False where the browser does not let the page do so. */
 export async function copy(text: string): Promise<boolean> {
@@ -12,7 +13,7 @@ export async function copy(text: string): Promise<boolean> {
 
 /** The old way: it works in pages and frames that may not use the clipboard otherwise. */
 function copyBySelection(text: string): boolean {
-  const focused = document.activeElement;
+  const before = focused();
   const field = document.createElement("textarea");
   field.value = text;
   // Out of sight, where nothing scrolls to it.
@@ -21,6 +22,6 @@ function copyBySelection(text: string): boolean {
   field.select();
   const done = document.execCommand("copy");
   field.remove();
-  if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
+  if (before instanceof HTMLElement) before.focus({ preventScroll: true });
   return done;
 }

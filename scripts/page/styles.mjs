@@ -1,0 +1,33 @@
+// The element's styles, as each place needs them. On the stand-alone page they reach what is in the element and nothing
+// else. In a shadow root (`?inline`) nothing else is there; there the element's own width decides, and not the window's,
+// and its lengths can be set by the page.
+
+/** Styles of the page around the element, and those that name the element themselves. */
+const ofThePage = /^(?:site|embed-page|colours|guest)$/;
+
+export function stylesInElement() {
+  return {
+    name: "styles-in-element",
+    enforce: "pre",
+    transform(code, id) {
+      const [, name, query] = /\/www\/src\/style\/([^/?]+)\.css(\?.*)?$/.exec(id) ?? [];
+      if (name === undefined) return null;
+      if (/\binline\b/.test(query ?? "")) return { code: inShadow(code), map: null };
+      if (ofThePage.test(name)) return null;
+      return { code: `:where(mo-copp-playground, .mo-copp-part) {\n${code}\n}\n`, map: null };
+    },
+  };
+}
+
+function inShadow(code) {
+  return code
+    .split("\n")
+    .map((line) => {
+      if (line.startsWith("@media (max-width")) return line.replace("@media", "@container mo-copp");
+      if (line.startsWith("@") || line.includes("--mo-copp-rem:")) return line;
+      // As wide as the playground, and not as the window; dialogs go by the window.
+      const own = line.includes("--room:") ? line.replace("100vw", "100cqi") : line;
+      return own.replace(/(-?[\d.]+)rem\b/g, (_, number) => `calc(${number} * var(--mo-copp-rem))`);
+    })
+    .join("\n");
+}

@@ -1,0 +1,221 @@
+// The element as a guest: in pages of other people, which have styles, keys, themes and plans of their own.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
+import { visit } from "./support/browser.js";
+import { grid } from "./support/documents.js";
+import { address } from "./support/site.js";
+
+async function lesson(page: Page, body: string, { html = "", head = "" } = {}): Promise<void> {
+  await page.route(`${address}lesson/guest.html`, (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: `<!doctype html><html lang="en" ${html}><head><title>Lesson</title>${head}
+        <script type="module" src="../mo-copp-playground.js"></script></head><body>${body}</body></html>`,
+    }),
+  );
+  await page.goto(`${address}lesson/guest.html`);
+}
+
+const one = `<mo-copp-playground id="one" problem="corridor" link="off"></mo-copp-playground>`;
+const ready = (page: Page, more = "") =>
+  page.waitForSelector(`#one:is([data-status=optimal], [data-status=solved])${more}`);
+const scheme = (page: Page) => page.locator("#one").getAttribute("data-scheme");
+
+test("the theme is the page's: by its color-scheme, its tool's switch, or the attribute", () =>
+  visit(
+    async ({ page }) => {
+      await lesson(page, one);
+      await ready(page);
+      // A page that says nothing is light, whatever the system.
+      assert.equal(await scheme(page), "light");
+      const set = (code: string) => page.evaluate(code);
+      const becomes = (wanted: string) => page.waitForSelector(`#one[data-scheme=${wanted}]`);
+      const root = "document.documentElement";
+      const body = "document.body";
+      const switches: [on: string, off: string][] = [
+        [`${root}.style.colorScheme = "dark"`, `${root}.style.colorScheme = ""`],
+        [`${root}.style.colorScheme = "light dark"`, `${root}.style.colorScheme = "light"`],
+        [`${root}.dataset.bsTheme = "dark"`, `delete ${root}.dataset.bsTheme`],
+        [`${root}.dataset.theme = "dark"`, `${root}.dataset.theme = "light"`],
+        [
+          `delete ${root}.dataset.theme; ${body}.dataset.mdColorScheme = "slate"`,
+          `${body}.dataset.mdColorScheme = "default"`,
+        ],
+        [
+          `delete ${body}.dataset.mdColorScheme; ${body}.className = "fullcontent quarto-dark"`,
+          `${body}.className = "fullcontent quarto-light"`,
+        ],
+        [
+          `document.querySelector("#one").setAttribute("theme", "dark")`,
+          `document.querySelector("#one").setAttribute("theme", "light")`,
+        ],
+      ];
+      for (const [on, off] of switches) {
+        await set(on);
+        await becomes("dark");
+        await set(off);
+        await becomes("light");
+      }
+      const ground = () =>
+        page
+          .locator("#one .panel")
+          .first()
+          .evaluate((panel) => getComputedStyle(panel).backgroundColor);
+      const light = await ground();
+      await set(`document.querySelector("#one").setAttribute("theme", "dark")`);
+      assert.notEqual(await ground(), light);
+      await set(`document.querySelector("#one").setAttribute("theme", "pink")`);
+      await page.getByText("“pink” can’t be used for the attribute theme; expected light, dark, auto").waitFor();
+    },
+    { colorScheme: "dark" },
+  ));
+
+test("keys that the playground handles never reach the page, and the others do", () =>
+  visit(async ({ page }) => {
+    await page.addInitScript(`
+      window.heard = [];
+      for (const type of ["keydown", "keyup", "keypress"])
+        document.addEventListener(type, (event) => window.heard.push(event.type + " " + event.key));`);
+    const heard = () => page.evaluate("window.heard.splice(0)") as Promise<string[]>;
+    await lesson(page, `<button id="own">Own</button>${one}`);
+    await ready(page, '[data-step="5"]');
+    // Nothing has the focus: with link="off" the keys are the page's.
+    await page.keyboard.press("ArrowLeft");
+    assert.deepEqual(await heard(), ["keydown ArrowLeft", "keyup ArrowLeft"]);
+    assert.equal(await page.locator("#one").getAttribute("data-step"), "5");
+    await page.locator("#one").getByRole("button", { name: "Help" }).focus();
+    await page.keyboard.press("ArrowLeft");
+    await ready(page, '[data-step="4"]');
+    await page.keyboard.press("PageDown");
+    assert.deepEqual(await heard(), ["keydown PageDown", "keyup PageDown"]);
+    // What is typed is not the page's either.
+    await page.locator("#one").getByLabel("Enemy keeps at least").focus();
+    await page.keyboard.press("2");
+    assert.deepEqual(await heard(), []);
+    await page.evaluate(() => document.querySelector("#one")?.setAttribute("keys", "off"));
+    await page.locator("#one").getByRole("button", { name: "Help" }).focus();
+    await page.keyboard.press("ArrowLeft");
+    assert.deepEqual(await heard(), ["keydown ArrowLeft", "keyup ArrowLeft"]);
+    await page.evaluate(() => {
+      document.querySelector("#one")?.setAttribute("keys", "page");
+      (document.activeElement as HTMLElement).blur();
+    });
+    await page.keyboard.press("Home");
+    await ready(page, '[data-step="0"]');
+    assert.deepEqual(await heard(), []);
+    await page.locator("#own").focus();
+    await page.keyboard.press("End");
+    assert.deepEqual(await heard(), ["keydown End", "keyup End"]);
+  }));
+
+test("twenty lazy playgrounds fetch nothing but the script until they near the view", () =>
+  visit(async ({ page, requests }) => {
+    await page.goto("about:blank");
+    await page.waitForTimeout(500);
+    requests.length = 0;
+    const many = `<mo-copp-playground problem="corridor" loading="lazy" link="off"></mo-copp-playground>`.repeat(20);
+    await lesson(page, `<p style="height: 4000px">Far above.</p>${many}`);
+    await page.waitForFunction(() => customElements.get("mo-copp-playground") !== undefined);
+    await page.waitForLoadState("networkidle");
+    const own = () => requests.filter((request) => request.startsWith(address) && !/guest\.html|favicon/.test(request));
+    assert.deepEqual(own(), [`${address}mo-copp-playground.js`]);
+    assert.equal(page.workers().length, 0);
+    await page.locator("mo-copp-playground").nth(1).scrollIntoViewIfNeeded();
+    await page.locator("mo-copp-playground[data-status=optimal]").first().waitFor();
+    const shown = await page.locator("mo-copp-playground:not([data-status=idle])").count();
+    assert(shown < 10, `${shown} of 20 were begun`);
+  }));
+
+test("the element's children stand for it until it runs, and where it can't", () =>
+  visit(
+    async ({ page }) => {
+      const poster = `<mo-copp-playground id="one" problem="corridor" link="off"><p id="poster">A picture</p></mo-copp-playground>`;
+      await page.route("**/shadow-view-*.js", (route) => route.abort());
+      await lesson(page, poster);
+      const again = page.locator("#one").getByRole("button", { name: "Try again" });
+      await again.waitFor();
+      assert(await page.locator("#poster").isVisible());
+      assert.equal(await page.locator("#one").getAttribute("data-status"), "error");
+      await page.unroute("**/shadow-view-*.js");
+      await lesson(page, poster);
+      await ready(page);
+      assert(!(await page.locator("#poster").isVisible()));
+    },
+    { quiet: false },
+  ));
+
+test("loaded twice, inside of another shadow root, and with its dialogs above the page", () =>
+  visit(async ({ page }) => {
+    await lesson(
+      page,
+      `<div id="host"></div><div style="position: fixed; inset: 0 0 auto; height: 3rem; z-index: 9999"></div>`,
+      {
+        head: `<script type="module" src="../mo-copp-playground.js?version=2"></script><script src="../mo-copp-playground.single.js"></script>`,
+      },
+    );
+    await page.evaluate((inner) => {
+      const shadow = document.querySelector("#host")?.attachShadow({ mode: "open" });
+      if (shadow) shadow.innerHTML = inner;
+    }, one);
+    await page.locator("#one[data-status=optimal]").waitFor();
+    const top = (selector: string) =>
+      page.locator(selector).evaluate((dialog) => {
+        const { left, top, width } = dialog.getBoundingClientRect();
+        let at = document.elementFromPoint(left + width / 2, top + 4);
+        while (at?.shadowRoot) at = at.shadowRoot.elementFromPoint(left + width / 2, top + 4);
+        return at !== null && dialog.contains(at);
+      });
+    await page.locator("#one .problem-bar .current").press("Enter");
+    await page.locator("dialog.gallery").waitFor();
+    assert(await top("dialog.gallery"));
+    await page.keyboard.press("Escape");
+    await page.locator("#one").getByRole("button", { name: "Help" }).press("Enter");
+    await page.locator("dialog.help").waitFor();
+    assert(await top("dialog.help"));
+    assert.equal(
+      await page.locator("dialog.help").evaluate((dialog) => getComputedStyle(dialog).boxSizing),
+      "border-box",
+    );
+  }));
+
+test("a document in the element, properties and promises", () =>
+  visit(async ({ page }) => {
+    await lesson(
+      page,
+      `<mo-copp-playground id="one" link="off"><script type="application/json">${grid()}</script></mo-copp-playground>`,
+    );
+    await ready(page);
+    const told = await page.locator("#one").evaluate(async (element) => {
+      const playground = element as MoCoppPlayground;
+      await playground.ready;
+      const width = (playground.document as { width?: number }).width;
+      await playground.goTo(1);
+      const outcome = await playground.solve({ solver: "search", k: 1, j: 2 });
+      const { state } = playground;
+      const refused = await playground.solve({ k: 99 }).then(
+        () => "",
+        (error: Error) => error.message,
+      );
+      return { width, status: outcome.status, plan: state?.plan?.length, form: state?.form, state, refused };
+    });
+    assert.equal(told.width, JSON.parse(grid()).width);
+    assert.equal(told.status, "solved");
+    assert.deepEqual(told.form, { solver: "search", k: "1", j: "2" });
+    assert.notEqual(told.refused, "");
+    // What is kept and set again is as it was.
+    await lesson(page, `<mo-copp-playground id="one" link="off"></mo-copp-playground>`);
+    await page.locator("#one").evaluate((element, state) => {
+      (element as MoCoppPlayground).state = state as MoCoppPlayground["state"];
+    }, told.state);
+    await page.waitForSelector("#one[data-status=solved]");
+    assert.equal(await page.locator("#one").getByLabel("Solver").inputValue(), "search");
+    await page.locator("#one").evaluate(
+      (element, document) => {
+        (element as MoCoppPlayground).document = document;
+      },
+      JSON.parse(grid({ width: 6 })),
+    );
+    await page.locator('#one [data-board=actor] [data-cell="5,0"]').waitFor({ state: "attached" });
+  }));

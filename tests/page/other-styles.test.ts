@@ -1,0 +1,150 @@
+// The element in pages with other people's style sheets looks as in a page without any, by comparing pictures.
+import assert from "node:assert/strict";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import pixelmatch from "pixelmatch";
+import type { Page } from "playwright-core";
+import { PNG } from "pngjs";
+import { nodeModules, venv } from "../../scripts/lib/paths.mjs";
+import { visit } from "./support/browser.js";
+import { address } from "./support/site.js";
+
+/** How much of the pixels may differ. */
+const MOST_APART = 0.005;
+
+interface Style {
+  name: string;
+  css: string;
+  /** The markup that the style sheet is made for, around the element. */
+  around?: (inner: string) => string;
+}
+
+const npm = (...parts: string[]) => readFileSync(join(nodeModules, ...parts), "utf8");
+
+/** A file of a Python package in the project's own environment. */
+function python(folder: string, name: RegExp): string {
+  const lib = join(venv, "lib");
+  const packages = readdirSync(lib).map((version) => join(lib, version, "site-packages", folder));
+  const found = packages.find((path) => existsSync(path));
+  assert(found, `${folder} is not in .tools/venv; run npm run setup`);
+  const file = readdirSync(found, { recursive: true })
+    .map(String)
+    .find((path) => name.test(path));
+  assert(file, `${folder} has no ${name}`);
+  return readFileSync(join(found, file), "utf8");
+}
+
+const styles: readonly Style[] = [
+  {
+    name: "Bootstrap 5.3",
+    css: npm("bootstrap", "dist", "css", "bootstrap.css"),
+    around: (inner) => `<main class="container"><div class="row"><div class="col">${inner}</div></div></main>`,
+  },
+  {
+    name: "Bulma",
+    css: npm("bulma", "css", "bulma.css"),
+    around: (inner) => `<section class="section"><div class="content">${inner}</div></section>`,
+  },
+  {
+    name: "Pico",
+    css: npm("@picocss", "pico", "css", "pico.css"),
+    around: (inner) => `<main class="container"><article>${inner}</article></main>`,
+  },
+  {
+    name: "Material for MkDocs",
+    css:
+      python("material", /templates.assets.stylesheets.main\.[^/]*\.css$/) +
+      python("material", /templates.assets.stylesheets.palette\.[^/]*\.css$/),
+    around: (inner) => `<article class="md-content__inner md-typeset">${inner}</article>`,
+  },
+  {
+    name: "Read the Docs",
+    css: python("sphinx_rtd_theme", /static.css.theme\.css$/),
+    around: (inner) =>
+      `<div class="wy-nav-content"><div class="rst-content"><div class="document">${inner}</div></div></div>`,
+  },
+  {
+    name: "reveal.js",
+    css:
+      npm("reveal.js", "dist", "reset.css") +
+      npm("reveal.js", "dist", "reveal.css") +
+      npm("reveal.js", "dist", "theme", "black.css"),
+    around: (inner) =>
+      `<div class="reveal" style="height: 3000px; overflow: visible"><div class="slides"><section class="present">${inner}</section></div></div>`,
+  },
+  {
+    name: "GitHub markdown",
+    css: npm("github-markdown-css", "github-markdown.css"),
+    around: (inner) => `<article class="markdown-body">${inner}</article>`,
+  },
+  {
+    name: "a hostile reset",
+    css: "* { all: revert } div { float: left } * { letter-spacing: 3px; text-transform: uppercase; visibility: visible }",
+  },
+  {
+    name: "inherited properties",
+    css: "body { font: italic 700 40px/3 serif; color: red; text-align: right; letter-spacing: 4px; word-spacing: 9px; text-transform: uppercase; white-space: pre; cursor: wait; text-shadow: 3px 3px red; list-style: upper-roman; --ink: red; --card: lime; --line: blue }",
+    around: (inner) => `<div dir="rtl">${inner}</div>`,
+  },
+];
+
+const elements = [
+  `<mo-copp-playground problem="corridor" link="off"></mo-copp-playground>`,
+  `<mo-copp-playground problem="delivery" hide="workbench" link="off"></mo-copp-playground>`,
+].join("");
+
+/** The size of the root's text is the page's to decide: it is the same in all of these. */
+function lesson({ css, around = (inner) => inner }: Style): string {
+  return `<!doctype html><html lang="en" data-theme="light"><head><title>Lesson</title><meta charset="utf-8">
+    <style>${css.replaceAll("</style", "")}</style>
+    <style>html { font-size: 16px !important }
+      #frame { position: absolute !important; inset: 0 auto auto 0 !important; width: 1160px !important; max-width: none !important;
+        float: none !important; display: block !important; padding: 0 !important; margin: 0 !important }</style>
+    <script type="module" src="../mo-copp-playground.js"></script></head>
+    <body>${around(`<div id="frame">${elements}</div>`)}</body></html>`;
+}
+
+async function picture(page: Page, style: Style): Promise<PNG> {
+  await page.route(`${address}lesson/styled.html`, (route) =>
+    route.fulfill({ contentType: "text/html", body: lesson(style) }),
+  );
+  await page.goto(`${address}lesson/styled.html`);
+  await page.waitForFunction(
+    () => document.querySelectorAll("mo-copp-playground:is([data-status=optimal], [data-status=solved])").length === 2,
+  );
+  await page.evaluate(() => scrollTo(0, 0));
+  const bytes = await page.locator("#frame").screenshot({ animations: "disabled", caret: "hide" });
+  await page.unroute(`${address}lesson/styled.html`);
+  return PNG.sync.read(bytes);
+}
+
+const plain: Style = { name: "none", css: "" };
+
+test("other people's style sheets change next to nothing of the picture", () =>
+  visit(
+    async ({ page }) => {
+      const without = await picture(page, plain);
+      const apart: string[] = [];
+      for (const style of styles) {
+        const { width, height, data } = await picture(page, style);
+        assert.deepEqual([width, height], [without.width, without.height], style.name);
+        const differ = pixelmatch(without.data, data, undefined, width, height) / (width * height);
+        if (differ > MOST_APART) apart.push(`${style.name}: ${(differ * 100).toFixed(2)} %`);
+      }
+      assert.deepEqual(apart, []);
+    },
+    { viewport: { width: 1280, height: 900 }, quiet: false },
+  ));
+
+test("the comparison sees what a style sheet does to the page's own document", () =>
+  visit(
+    async ({ page }) => {
+      const without = await picture(page, plain);
+      // Reaches into the element by a part that the page is offered.
+      const { width, height, data } = await picture(page, { name: "part", css: "::part(board) { opacity: 0 }" });
+      assert.deepEqual([width, height], [without.width, without.height]);
+      assert(pixelmatch(without.data, data, undefined, width, height) / (width * height) > MOST_APART);
+    },
+    { viewport: { width: 1280, height: 900 }, quiet: false },
+  ));

@@ -1,0 +1,133 @@
+// The custom element: its attributes and its life in the page. What it shows comes with the view, which is loaded when
+// the element nears what is seen of the page. This file needs no document to be loaded.
+
+import type { SolveOptions } from "../core.js";
+import type { ProblemDocument } from "../problem/types.js";
+import type { SharedState } from "../share/shared-state.js";
+import type { Answered } from "../worker/protocol.js";
+import { nextTurn } from "../worker/turn.js";
+import { followed } from "./attributes.js";
+import type { View, Wanted } from "./view.js";
+import { whenNear, whenParsed } from "./when.js";
+
+const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
+
+export abstract class PlaygroundElement extends Base {
+  static get observedAttributes(): string[] {
+    return [...followed];
+  }
+
+  /** Settles once the first picture is drawn, or cannot be. */
+  readonly ready: Promise<this>;
+
+  private view: View | null = null;
+  private settleReady: () => void = () => {};
+  /** What was set before there was a view. */
+  private readonly wanted: Wanted = { document: null, state: null };
+  private loading: Promise<void> | null = null;
+  private stopWaiting: (() => void) | null = null;
+
+  constructor() {
+    super();
+    this.ready = new Promise((resolve) => {
+      this.settleReady = () => resolve(this);
+    });
+  }
+
+  /** The problem document that is open. Set, as an object or as its text, it is opened. */
+  get document(): ProblemDocument | null {
+    return this.view?.document ?? null;
+  }
+
+  set document(value: ProblemDocument | string | null) {
+    if (value === null) return;
+    const text = typeof value === "string" ? value : JSON.stringify(value);
+    if (this.view === null) Object.assign(this.wanted, { document: text, state: null });
+    else void this.view.openDocument(text);
+  }
+
+  /** All that a link would hold: problem, options, plan, step, open tab. Kept and set again, the playground is as it was. */
+  get state(): SharedState | null {
+    return this.view?.state ?? null;
+  }
+
+  set state(value: SharedState | null) {
+    if (value === null) return;
+    const text = JSON.stringify(value);
+    if (this.view === null) this.wanted.state = text;
+    else void this.view.openState(text);
+  }
+
+  /** Shows a step; one beyond the last is the last. */
+  async goTo(step: number): Promise<void> {
+    (await this.drawn()).goTo(step);
+  }
+
+  /** Solves the open problem. Rejects with a sentence where the options do not fit or the solver was lost. */
+  async solve(options: Partial<SolveOptions> = {}): Promise<Answered> {
+    return (await this.drawn()).solve(options);
+  }
+
+  private async drawn(): Promise<View> {
+    await this.show();
+    if (this.view === null) throw new Error("The playground could not be loaded.");
+    await this.ready;
+    return this.view;
+  }
+
+  /** Makes what the playground is drawn into. */
+  protected abstract makeRoot(): HTMLElement;
+
+  /** Loads what draws the playground. */
+  protected abstract load(): Promise<typeof View>;
+
+  /** The view could not be loaded; `again` tries once more. */
+  protected abstract failed(again: () => void): void;
+
+  /** There is a picture, or word of why there is none. */
+  protected shown(): void {
+    this.settleReady();
+  }
+
+  connectedCallback(): void {
+    this.dataset.status ??= "idle";
+    if (this.view !== null) {
+      this.view.connect();
+      return;
+    }
+    this.makeRoot();
+    if (this.getAttribute("loading") === "lazy") this.stopWaiting = whenNear(this, () => void this.show());
+    else void this.show();
+  }
+
+  disconnectedCallback(): void {
+    this.stopWaiting?.();
+    this.stopWaiting = null;
+    this.view?.disconnect();
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before === after) return;
+    this.view?.attributeChanged(name);
+  }
+
+  /** Loads the view and has it draw, where that has not been done. */
+  protected show(): Promise<void> {
+    this.stopWaiting?.();
+    this.stopWaiting = null;
+    this.loading ??= this.begin().catch((error: unknown) => {
+      this.loading = null;
+      this.failed(() => void this.show());
+      console.error(error);
+    });
+    return this.loading;
+  }
+
+  private async begin(): Promise<void> {
+    // The first picture is a turn of its own, not the end of the one that reads the page's code.
+    await Promise.all([whenParsed(), nextTurn()]);
+    const Loaded = await this.load();
+    this.view = new Loaded(this, this.makeRoot(), () => this.shown(), this.wanted);
+    if (this.isConnected) this.view.connect();
+  }
+}

@@ -1,0 +1,286 @@
+// What an element shows: the whole playground, drawn into the element itself or into its shadow root.
+import { html, nothing, type TemplateResult } from "lit";
+import type { SolveOptions } from "../core.js";
+import { toolbar } from "../edit/toolbar.js";
+import { galleryMenu } from "../gallery/menu.js";
+import { problemBar } from "../gallery/problem-bar.js";
+import { held } from "../gesture/held.js";
+import { Playground } from "../playground/playground.js";
+import { exampleDocument } from "../problem/example.js";
+import type { ProblemDocument } from "../problem/types.js";
+import { Address } from "../share/address.js";
+import { copyLink, LinkCopier } from "../share/copy-link.js";
+import { DropTarget, dropSign } from "../share/drop.js";
+import { LinkError } from "../share/packed.js";
+import { restore } from "../share/restore.js";
+import { readState, type SharedState, stateOf } from "../share/shared-state.js";
+import { Announcer, announcement } from "../stage/announcement.js";
+import { goalList } from "../stage/goal-list.js";
+import { legend } from "../stage/legend.js";
+import { stage } from "../stage/stage.js";
+import { stepper } from "../stage/stepper.js";
+import { followSymbols } from "../stage/symbols.js";
+import { optionsOf } from "../state/form.js";
+import { followRow } from "../steps/follow-row.js";
+import { cross } from "../view/icons.js";
+import { workbench } from "../workbench/workbench.js";
+import { choosePlaces } from "../worker/places.js";
+import type { Answered } from "../worker/protocol.js";
+import { Notifier } from "./events.js";
+import { keepInSight } from "./in-sight.js";
+import { LiveRender } from "./live-render.js";
+import { PageKeys } from "./page-keys.js";
+import {
+  goToStep,
+  hiddenParts,
+  keyReachOf,
+  mistakes,
+  type Part,
+  settingNames,
+  settingsOf,
+  settle,
+} from "./settings.js";
+
+/** Attributes that change how a playground looks and behaves, and not what is open in it. */
+const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme"]);
+
+/** What a page's script asked for before there was a view; it goes before attributes and address. */
+export interface Wanted {
+  document: string | null;
+  state: string | null;
+}
+
+export class View {
+  readonly playground = new Playground();
+  private readonly address: Address;
+  private readonly copier: LinkCopier;
+  private readonly drops: DropTarget;
+  private readonly announcer: Announcer;
+  private readonly keys: PageKeys;
+  private readonly picture: LiveRender;
+  /** Rows that got narrower have moved what was in sight. */
+  private readonly sizes = new ResizeObserver(() => followSymbols(this.root));
+  private readonly notifier: Notifier;
+  private readonly seen: (event: FocusEvent) => void;
+  /** Whether the page's address is this playground's. */
+  private sharing = false;
+  private begun = false;
+  /** The attributes that changed in this turn. */
+  private readonly changed = new Set<string>();
+  /** How often they were followed: work that is still under way then knows that other attributes came after. */
+  private followed = 0;
+  private following = false;
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly root: HTMLElement,
+    /** Told of the first picture of a problem. */
+    private readonly shown: () => void,
+    private readonly first: Wanted,
+  ) {
+    this.address = new Address(this.playground);
+    this.copier = new LinkCopier(this.address);
+    this.drops = new DropTarget(this.playground);
+    this.announcer = new Announcer(this.playground);
+    this.keys = new PageKeys(this.playground, root, () => keyReachOf(host));
+    this.picture = new LiveRender(
+      root,
+      () => this.content(),
+      () => this.drawn(),
+    );
+    this.notifier = new Notifier(this.playground, host);
+    this.seen = keepInSight(root);
+  }
+
+  connect(): void {
+    const { host } = this;
+    choosePlaces({ worker: host.getAttribute("worker-url"), wasm: host.getAttribute("wasm-url") });
+    this.playground.solving.prepare();
+    this.sharing = this.host.getAttribute("link") !== "off" && this.address.claim();
+    // Which playground has the address has the page; among several, each takes what is dropped on itself.
+    this.drops.listen(this.sharing ? window : this.host);
+    this.announcer.listen();
+    this.keys.listen();
+    this.sizes.observe(this.root);
+    this.root.addEventListener("focusin", this.seen);
+    this.picture.connect();
+    if (!this.begun) void this.begin();
+  }
+
+  disconnect(): void {
+    this.picture.disconnect();
+    this.root.removeEventListener("focusin", this.seen);
+    this.sizes.disconnect();
+    this.address.release();
+    this.drops.release();
+    this.announcer.release();
+    this.keys.release();
+    this.playground.dispose();
+  }
+
+  get document(): ProblemDocument | null {
+    return this.playground.problem.document.value?.value ?? null;
+  }
+
+  get state(): SharedState | null {
+    return stateOf(this.playground);
+  }
+
+  /** What was asked for before comes to nothing. */
+  openDocument(text: string): Promise<boolean> {
+    this.followed += 1;
+    return this.playground.edits.open(text);
+  }
+
+  async openState(text: string): Promise<boolean> {
+    this.followed += 1;
+    try {
+      return await restore(this.playground, readState(text));
+    } catch (error) {
+      if (!(error instanceof LinkError)) throw error;
+      this.playground.solving.refuse("This state can’t be used: it holds no problem document.");
+      return false;
+    }
+  }
+
+  goTo(step: number): void {
+    this.playground.timeline.goTo(step);
+  }
+
+  async solve(options: Partial<SolveOptions>): Promise<Answered> {
+    const { playground } = this;
+    const { solver, encoding, k, j, horizon } = options;
+    playground.solving.edit({
+      ...(solver === undefined ? {} : { solver }),
+      ...(encoding === undefined ? {} : { encoding }),
+      ...(k === undefined ? {} : { k: String(k) }),
+      ...(j === undefined ? {} : { j: String(j) }),
+      ...(horizon === undefined ? {} : { horizon: horizon === "any" ? "" : String(horizon) }),
+    });
+    const asked = JSON.stringify(optionsOf(playground.form.value));
+    await playground.solving.solve();
+    const { error, result } = playground.answer;
+    if (error.value !== null) throw new Error(error.value);
+    const { options: answered, outcome } = result.value ?? {};
+    if (outcome === undefined) throw new Error("Something else was asked for meanwhile.");
+    if (JSON.stringify(answered) !== asked)
+      throw new Error(
+        `These options do not fit the problem: k and j go from 1 to ${playground.problem.scene.value?.goals.length}.`,
+      );
+    return outcome;
+  }
+
+  attributeChanged(name: string): void {
+    this.picture.request();
+    if (name === "link") return;
+    // A page that changes several means all of them at once.
+    if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
+    this.changed.add(name);
+  }
+
+  private followAttributes(): void {
+    const names = new Set(this.changed);
+    this.changed.clear();
+    if ([...names].some((name) => !manners.has(name))) {
+      void this.settle();
+      return;
+    }
+    if (names.has("step")) goToStep(this.playground, settingsOf(this.host));
+    this.sayMistakes(names);
+  }
+
+  private async settle(): Promise<void> {
+    this.followed += 1;
+    const now = this.followed;
+    const wanted = () => now === this.followed;
+    const settings = settingsOf(this.host);
+    const settled = await settle(this.playground, settings, inline(this.host) ?? exampleDocument, wanted);
+    // The step may have changed meanwhile.
+    if (settled) goToStep(this.playground, settingsOf(this.host));
+    if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners]));
+  }
+
+  /** Beside what else could not be used. */
+  private sayMistakes(names: ReadonlySet<string>): void {
+    const found = mistakes(this.host, names);
+    if (found.length === 0) return;
+    const said = this.playground.answer.error.peek();
+    const others = said === null || found.some((mistake) => said.includes(mistake)) ? [] : [said];
+    this.playground.solving.refuse([...others, ...found].join(" "));
+  }
+
+  /** The address goes before the attributes: a link that was followed holds what is wanted. */
+  private async begin(): Promise<void> {
+    this.begun = true;
+    const { state, document } = this.first;
+    if (document !== null) return void this.openDocument(document);
+    if (state !== null) return void this.openState(state);
+    const opened = this.sharing ? await this.address.read() : null;
+    if (opened === true || this.followed > 0) return;
+    const { playground } = this;
+    const mistake = playground.answer.error.value;
+    await this.settle();
+    if (opened === false && mistake !== null) playground.solving.refuse(mistake);
+  }
+
+  private content(): TemplateResult {
+    const playground = this.playground;
+    const error = playground.answer.error.value;
+    const hidden = hiddenParts(this.host.getAttribute("hide"));
+    const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
+    const link = () => (this.sharing && !hidden.has("share") ? copyLink(playground, this.copier) : nothing);
+    return html`
+      <div class="error">
+        <div role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
+        ${
+          error === null
+            ? nothing
+            : html`<button type="button" class="sign" aria-label="Close the message" title="Close the message"
+                @click=${() => playground.answer.dismiss()}>${cross}</button>`
+        }
+      </div>
+      ${show("gallery", () => held(playground, () => problemBar(playground, link())))} ${show("tools", () => toolbar(playground))}
+      ${stage(playground)}
+      ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
+      ${
+        hidden.has("workbench") && hidden.has("goals")
+          ? nothing
+          : html`<div class="below">
+              ${show("workbench", () => workbench(playground))}
+              ${show("goals", () => html`<section class="card" part="goals" aria-label="Goals">${goalList(playground)}</section>`)}
+            </div>`
+      }
+      ${show("gallery", () => galleryMenu(playground))} ${dropSign(this.drops)} ${announcement(this.announcer)}
+    `;
+  }
+
+  /** In the next frame the page is laid out anyway; asking where things are before that would do it twice. */
+  private follow(): void {
+    if (this.following) return;
+    this.following = true;
+    requestAnimationFrame(() => {
+      this.following = false;
+      followSymbols(this.root);
+      followRow(this.root, this.playground.timeline.step.value);
+    });
+  }
+
+  private drawn(): void {
+    const { answer, timeline, boards } = this.playground;
+    const { status } = answer;
+    const { difference } = boards;
+    const { dataset } = this.host;
+    dataset.status = status.value;
+    dataset.step = String(timeline.step.value);
+    if (difference.value === null) delete dataset.gd;
+    else dataset.gd = String(difference.value);
+    if (timeline.trace.value !== null || status.value === "error") this.shown();
+    this.follow();
+    void this.playground.walk.follow();
+    this.notifier.notify();
+  }
+}
+
+/** The document in the element itself: `<script type="application/json">`. */
+const inline = (host: Element): string | null =>
+  host.querySelector(":scope > script[type='application/json']")?.textContent ?? null;
