@@ -61,6 +61,12 @@ impl Sensor {
         &self.symbols[symbol.index()]
     }
 
+    /// The symbols that an operator may give, one for each case.
+    pub(crate) fn symbols_of(&self, operator: OperatorId) -> impl Iterator<Item = Symbol> + '_ {
+        let reading = &self.readings[operator.index()];
+        reading.cases.iter().map(|(_, symbol)| *symbol).chain([reading.otherwise])
+    }
+
     /// The symbol for an operator that has resulted in the packed state `after`.
     pub fn read(&self, task: &Task, operator: OperatorId, after: &[u64]) -> Symbol {
         let reading = &self.readings[operator.index()];

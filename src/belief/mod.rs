@@ -8,6 +8,8 @@
 
 mod memo;
 mod space;
+mod subsets;
 
 pub use memo::Memo;
 pub use space::{BeliefId, BeliefSpace};
+pub use subsets::{Subsets, Successor};

@@ -1,12 +1,11 @@
 //! Interned beliefs of one observer, with a remembered update.
 
-use std::hash::{BuildHasher, BuildHasherDefault};
 use std::sync::Arc;
 
-use hashbrown::HashTable;
-use rustc_hash::FxHasher;
+use fixedbitset::FixedBitSet;
 
 use super::memo::Memo;
+use super::subsets::{Subsets, Successor};
 use crate::limits::{LimitReached, Limits};
 use crate::sensor::{Sensor, Symbol};
 use crate::task::{StateId, StateSpace};
@@ -22,9 +21,6 @@ impl BeliefId {
     }
 }
 
-/// How many states are expanded between two looks at the memory.
-const STATES_BETWEEN_CHECKS: usize = 256;
-
 /// The beliefs of one observer met so far. States are numbered by a [`StateSpace`] that all
 /// observers of a problem share and that is handed to each call.
 #[derive(Debug, Clone)]
@@ -32,21 +28,11 @@ pub struct BeliefSpace {
     sensor: Arc<Sensor>,
     /// The symbol on each edge of the state space, in the same order.
     readings: Vec<Symbol>,
-    members: Vec<StateId>,
-    ends: Vec<usize>,
-    table: HashTable<u32>,
+    sets: Subsets,
     memo: Memo,
-    stamps: Vec<u32>,
-    stamp: u32,
-}
-
-fn hash(members: &[StateId]) -> u64 {
-    BuildHasherDefault::<FxHasher>::default().hash_one(members)
-}
-
-fn slice<'a>(members: &'a [StateId], ends: &[usize], id: u32) -> &'a [StateId] {
-    let begin = id.checked_sub(1).map_or(0, |before| ends[before as usize]);
-    &members[begin..ends[id as usize]]
+    /// Which beliefs have all their updates remembered.
+    updated: FixedBitSet,
+    successors: Vec<Successor>,
 }
 
 impl BeliefSpace {
@@ -56,12 +42,10 @@ impl BeliefSpace {
         Self {
             sensor,
             readings: Vec::new(),
-            members: Vec::new(),
-            ends: Vec::new(),
-            table: HashTable::new(),
+            sets: Subsets::default(),
             memo,
-            stamps: Vec::new(),
-            stamp: 0,
+            updated: FixedBitSet::new(),
+            successors: Vec::new(),
         }
     }
 
@@ -72,46 +56,28 @@ impl BeliefSpace {
 
     /// How many beliefs have been met.
     pub fn len(&self) -> usize {
-        self.ends.len()
+        self.sets.len()
     }
 
     /// Whether no belief has been met.
     pub fn is_empty(&self) -> bool {
-        self.ends.is_empty()
+        self.sets.is_empty()
     }
 
     /// Bytes in use, counted by contents.
     pub fn bytes(&self) -> u64 {
-        let per_edge = size_of::<Symbol>() * self.readings.len();
-        let per_member = size_of::<StateId>() * (self.members.len() + self.stamps.len());
-        (per_edge + per_member + 16 * self.ends.len()) as u64 + self.memo.bytes()
+        let readings = size_of::<Symbol>() * self.readings.len();
+        readings as u64 + self.sets.bytes() + self.memo.bytes()
     }
 
     /// The states of a belief, in the order of their numbers.
     pub fn members(&self, belief: BeliefId) -> &[StateId] {
-        slice(&self.members, &self.ends, belief.0)
+        self.sets.members(belief)
     }
 
     /// The number of the belief with these states, in any order, given one when it is new.
-    pub fn intern(&mut self, mut states: Vec<StateId>) -> BeliefId {
-        states.sort_unstable();
-        states.dedup();
-        let (members, ends) = (&self.members, &self.ends);
-        let entry = self.table.entry(
-            hash(&states),
-            |&id| slice(members, ends, id) == states,
-            |&id| hash(slice(members, ends, id)),
-        );
-        match entry {
-            hashbrown::hash_table::Entry::Occupied(known) => BeliefId(*known.get()),
-            hashbrown::hash_table::Entry::Vacant(vacant) => {
-                let id = ends.len() as u32;
-                vacant.insert(id);
-                self.members.extend_from_slice(&states);
-                self.ends.push(self.members.len());
-                BeliefId(id)
-            }
-        }
+    pub fn intern(&mut self, states: Vec<StateId>) -> BeliefId {
+        self.sets.intern(states)
     }
 
     /// The symbol on an edge of the state space, by the edge's position there.
@@ -146,29 +112,48 @@ impl BeliefSpace {
         if let Some(known) = self.memo.get(belief.0, symbol.0) {
             return Ok(BeliefId(known));
         }
-        let members = self.members(belief).to_vec();
-        for (count, &state) in members.iter().enumerate() {
-            if count % STATES_BETWEEN_CHECKS == 0 {
-                limits.check_bytes(states.bytes() + self.bytes())?;
-            }
-            states.expand(state);
-        }
-        self.read_new_edges(states);
-        self.stamps.resize(states.len(), 0);
-        self.stamp += 1;
-        let mut next = Vec::new();
-        for &state in &members {
-            let range = states.edge_range(state);
-            for (edge, &reading) in states.edges(state).iter().zip(&self.readings[range]) {
-                let stamp = &mut self.stamps[edge.target.index()];
-                if reading == symbol && *stamp != self.stamp {
-                    *stamp = self.stamp;
-                    next.push(edge.target);
-                }
-            }
-        }
-        let next = self.intern(next);
+        self.expand_members(states, belief, limits)?;
+        let readings = &self.readings;
+        let next = self.sets.image(states, belief, symbol.0, |edge| readings[edge].0);
         self.memo.set(belief.0, symbol.0, next.0);
         Ok(next)
+    }
+
+    /// Works out and remembers the beliefs after every symbol that a belief can give, in one pass.
+    ///
+    /// # Errors
+    ///
+    /// As [`update`](Self::update).
+    pub fn update_all(
+        &mut self,
+        states: &mut StateSpace,
+        belief: BeliefId,
+        limits: &Limits,
+    ) -> Result<(), LimitReached> {
+        if self.updated.contains(belief.index()) {
+            return Ok(());
+        }
+        self.expand_members(states, belief, limits)?;
+        let mut found = std::mem::take(&mut self.successors);
+        let readings = &self.readings;
+        self.sets.images(states, belief, |edge| readings[edge].0, &mut found);
+        for next in &found {
+            self.memo.set(belief.0, next.label, next.set.0);
+        }
+        self.successors = found;
+        self.updated.grow_and_insert(belief.index());
+        Ok(())
+    }
+
+    fn expand_members(
+        &mut self,
+        states: &mut StateSpace,
+        belief: BeliefId,
+        limits: &Limits,
+    ) -> Result<(), LimitReached> {
+        let own = self.bytes() - self.sets.bytes();
+        self.sets.expand_members(states, belief, limits, own)?;
+        self.read_new_edges(states);
+        Ok(())
     }
 }

@@ -67,6 +67,11 @@ export interface Outcome {
   plan: string[] | null;
   goals: ByObserver<string[]> | null;
   goal_difference: number | null;
+  /** Of `exact` and `ip`: no plan can be better than `bound`, and the plan found is at most `gap` worse. */
+  bound?: number;
+  gap?: number;
+  /** Of `exact` over all lengths: whether the plan is proved to be a shortest one of its goal difference. */
+  length_proved?: boolean;
   /** With `pareto`: sorted. */
   pareto?: { adversarial: number; cooperative: number; plan: string[] }[];
   /** There, and false, where a limit or a stop came before all pairs were found: `pareto` has those found until then.

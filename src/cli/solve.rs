@@ -82,11 +82,20 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
         let _ = writeln!(text, "stopped: {limit}");
     }
     if let (Some(plan), Some(difference)) = (&report.plan, outcome.goal_difference) {
-        let _ = writeln!(text, "plan: {} actions", plan.len());
+        let shorter = match outcome.length_proved {
+            Some(false) => " (a shorter one of this goal difference may exist)",
+            _ => "",
+        };
+        let _ = writeln!(text, "plan: {} actions{shorter}", plan.len());
         if !plan.is_empty() {
             let _ = writeln!(text, "  {}", plan.join(", "));
         }
         let _ = writeln!(text, "goal difference: {difference:.3}");
+        if let (Some(bound), Some(gap)) = (outcome.bound, outcome.gap())
+            && gap > 0.0
+        {
+            let _ = writeln!(text, "at most {bound:.3} is possible: a gap of {gap:.3}");
+        }
     }
     for (observer, set) in problem.observers().iter().zip(outcome.survivors.iter().flatten()) {
         let who = match observer.role {

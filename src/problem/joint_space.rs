@@ -241,6 +241,40 @@ impl JointSpace {
         Ok(())
     }
 
+    /// Works out the beliefs after every symbol for all observers of a profile, each in one pass.
+    ///
+    /// # Errors
+    ///
+    /// The memory limit.
+    pub(crate) fn update_all(&mut self, profile: ProfileId) -> Result<(), LimitReached> {
+        for (observer, beliefs) in self.beliefs.iter_mut().enumerate() {
+            let belief = BeliefId(self.profiles.get(profile.0)[observer]);
+            beliefs.update_all(&mut self.states, belief, &self.limits)?;
+        }
+        self.combine_new_edges();
+        Ok(())
+    }
+
+    /// The profile after the symbols of a transition, by its position.
+    ///
+    /// # Errors
+    ///
+    /// The memory limit.
+    pub(crate) fn profile_after(
+        &mut self,
+        profile: ProfileId,
+        edge: usize,
+    ) -> Result<ProfileId, LimitReached> {
+        self.combine_new_edges();
+        self.follow(profile, edge)
+    }
+
+    /// The states met so far, and the numbers of combinations on their transitions.
+    pub(crate) fn labelled_states(&mut self) -> (&mut StateSpace, &[u32]) {
+        self.combine_new_edges();
+        (&mut self.states, &self.combinations)
+    }
+
     /// Whether the true goal holds in a state.
     pub fn is_goal(&mut self, state: StateId) -> bool {
         let goal = self.problem.true_goal();

@@ -56,6 +56,16 @@ pub struct SolveReport {
     pub goals: Option<ByObserver<Vec<String>>>,
     /// The goal difference, from −1 to 1.
     pub goal_difference: Option<f64>,
+    /// A proved upper bound on the goal difference; not there where none is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bound: Option<f64>,
+    /// The bound less the goal difference: 0 where the plan is proved best.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// Whether the plan is proved to be a shortest one of its goal difference, where that was looked
+    /// at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length_proved: Option<bool>,
     /// Every reachable pair of survivor counts, sorted, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pareto: Option<Vec<ParetoReport>>,
@@ -224,6 +234,9 @@ impl SolveReport {
                 .as_ref()
                 .map(|sets| ByObserver::new(problem, |i| goal_names(problem, &sets[i]))),
             goal_difference: outcome.goal_difference,
+            bound: outcome.bound,
+            gap: outcome.gap(),
+            length_proved: outcome.length_proved,
             pareto_complete: (pareto.is_some() && outcome.limit.is_some()).then_some(false),
             pareto,
             lengths: outcome.lengths.as_ref().map(|points| {

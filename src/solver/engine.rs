@@ -22,11 +22,24 @@ pub(super) struct Finding {
     pub pareto: Option<Vec<ParetoPoint>>,
     pub lengths: Option<Vec<LengthPoint>>,
     pub limit: Option<LimitReached>,
+    /// A proved upper bound on the goal difference, of a run that was stopped.
+    pub bound: Option<f64>,
+    /// Whether the plan is proved to be a shortest one of its goal difference, where that was looked
+    /// at.
+    pub length_proved: Option<bool>,
 }
 
 impl Finding {
     pub(super) fn infeasible() -> Self {
-        Self { status: Status::Infeasible, plan: None, pareto: None, lengths: None, limit: None }
+        Self {
+            status: Status::Infeasible,
+            plan: None,
+            pareto: None,
+            lengths: None,
+            limit: None,
+            bound: None,
+            length_proved: None,
+        }
     }
 
     pub(super) fn plan(status: Status, plan: Plan) -> Self {

@@ -16,9 +16,11 @@ pub mod best_first;
 mod classical;
 mod engine;
 pub mod exact;
+pub(in crate::solver) mod ground;
 #[cfg(feature = "full")]
 pub mod ip;
 mod live;
+mod optimiser;
 mod options;
 mod outcome;
 pub mod remedy;
@@ -27,6 +29,7 @@ mod shortest;
 mod tree;
 
 pub use classical::{ClassicalOutcome, ClassicalRun};
+pub use optimiser::bounds::{UpperBound, upper_bounds};
 pub use options::{
     Bounds, Encoding, Horizon, MAX_HORIZON, MAX_LENGTHS, Options, OptionsError, Solver, Watched,
 };

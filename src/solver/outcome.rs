@@ -137,6 +137,12 @@ pub struct Outcome {
     pub survivors: Option<Vec<GoalSet>>,
     /// Its goal difference.
     pub goal_difference: Option<f64>,
+    /// A proved upper bound on the goal difference of all plans that keep what is asked, where there
+    /// is one: the goal difference itself where the plan is proved best.
+    pub bound: Option<f64>,
+    /// Whether the plan is proved to be a shortest one of its goal difference; none where that is
+    /// not looked at: at a horizon, and by other solvers than [`Solver::Exact`].
+    pub length_proved: Option<bool>,
     /// Every reachable pair of survivor counts, sorted, where that was asked for; with a limit
     /// those found until then.
     pub pareto: Option<Vec<ParetoPoint>>,
@@ -147,4 +153,12 @@ pub struct Outcome {
     pub limit: Option<LimitReached>,
     /// What the work took.
     pub stats: Stats,
+}
+
+impl Outcome {
+    /// How far the plan may be from the best there is, in goal difference: 0 where it is proved
+    /// best.
+    pub fn gap(&self) -> Option<f64> {
+        Some((self.bound? - self.goal_difference?).max(0.0))
+    }
 }

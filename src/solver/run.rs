@@ -199,7 +199,7 @@ impl Run {
     fn halt(&mut self, limit: LimitReached, engine: Option<Box<dyn Engine>>) {
         self.finding = Some(match engine {
             Some(mut engine) => {
-                let finding = engine.stop(limit);
+                let finding = self.stop(engine.as_mut(), limit);
                 self.last_stats = engine.stats();
                 finding
             }
@@ -207,9 +207,17 @@ impl Run {
         });
     }
 
-    /// What is known so far.
-    pub fn progress(&self) -> Progress {
-        let mut progress = Progress {
+    /// What an engine answers when it is stopped, with the bound it has proved.
+    fn stop(&self, engine: &mut dyn Engine, limit: LimitReached) -> Finding {
+        let mut progress = self.blank_progress();
+        engine.report(&mut progress);
+        let mut finding = engine.stop(limit);
+        finding.bound = finding.bound.or(progress.bound);
+        finding
+    }
+
+    fn blank_progress(&self) -> Progress {
+        Progress {
             solver: self.options.solver,
             done: 0,
             stats: Stats::default(),
@@ -217,7 +225,12 @@ impl Run {
             goal_difference: None,
             bound: None,
             plan: None,
-        };
+        }
+    }
+
+    /// What is known so far.
+    pub fn progress(&self) -> Progress {
+        let mut progress = self.blank_progress();
         if let Some(engine) = &self.engine {
             engine.report(&mut progress);
         } else if let Some(finding) = &self.finding {
@@ -245,9 +258,16 @@ impl Run {
     ///
     /// [`SolveError::Replay`] when a plan does not do what its solver says.
     pub fn outcome(&mut self) -> Result<Outcome, SolveError> {
-        let finding = match (self.finding.take(), &mut self.engine) {
-            (Some(finding), _) => finding,
-            (None, Some(engine)) => engine.stop(LimitReached::Cancelled),
+        let finding = match (self.finding.take(), self.engine.take()) {
+            (Some(finding), engine) => {
+                self.engine = engine;
+                finding
+            }
+            (None, Some(mut engine)) => {
+                let finding = self.stop(engine.as_mut(), LimitReached::Cancelled);
+                self.engine = Some(engine);
+                finding
+            }
             (None, None) => Finding::stopped(None, LimitReached::Cancelled),
         };
         let stats = self.stats();
@@ -275,7 +295,8 @@ pub fn abandoned(
     let reached = progress.filter(|_| options.lengths.is_none());
     let horizon = reached.map_or(asked, |progress| progress.horizon);
     let stats = progress.map_or_else(Stats::default, |progress| progress.stats);
-    let finding = Finding::stopped(plan, LimitReached::Cancelled);
+    let mut finding = Finding::stopped(plan, LimitReached::Cancelled);
+    finding.bound = progress.and_then(|progress| progress.bound);
     conclude(problem, options, horizon, &finding, stats)
 }
 
@@ -296,6 +317,8 @@ fn conclude(
         plan: None,
         survivors: None,
         goal_difference: None,
+        bound: finding.bound,
+        length_proved: finding.length_proved,
         // Of a run that was stopped, what is known.
         pareto: options.pareto.then(Vec::new),
         lengths: None,
@@ -321,6 +344,9 @@ fn conclude(
         }
         outcome.horizon = Some(plan.len());
         outcome.goal_difference = Some(problem.goal_difference(achieved.counts));
+        if finding.status == Status::Optimal {
+            outcome.bound = outcome.goal_difference;
+        }
         outcome.survivors = Some(achieved.survivors);
         outcome.plan = Some(plan.clone());
     }

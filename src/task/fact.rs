@@ -105,6 +105,11 @@ impl Layout {
         self.slots[fact.index()].group as usize
     }
 
+    /// The facts of a group, in the order of their values.
+    pub(crate) fn facts_of_group(&self, group: usize) -> &[Fact] {
+        &self.groups[group]
+    }
+
     /// The value a fact stands for in its group, from 1.
     pub(crate) fn value(&self, fact: Fact) -> usize {
         let slot = self.slots[fact.index()];

@@ -4,8 +4,6 @@
 //! plans that meet in a node need not be told apart: going through all nodes is going through all
 //! plans.
 //!
-//! - [`guided`] looks for the best plan alone, led by bounds on what each observer can still believe,
-//!   in state spaces that are small enough for tables over pairs of states,
 //! - [`prospects`] look for the best plan of any length where that takes long: beliefs are told apart
 //!   only by what can still become of them,
 //! - [`layers`] goes through them step by step, for plans of exactly T actions,
@@ -16,7 +14,7 @@
 //!
 //! Nothing is looked at that cannot reach the true goal any more.
 //!
-//! All but the first two find every reachable pair of survivor counts, which is more than the Pareto set
+//! All but the first find every reachable pair of survivor counts, which is more than the Pareto set
 //! the paper names and leaves out.
 
 pub mod closure;
@@ -45,7 +43,7 @@ pub(in crate::solver) fn engine(
     if options.pareto {
         plain(problem, options, horizon)
     } else {
-        Box::new(guided::Guided::new(problem, options, horizon))
+        Box::new(crate::solver::optimiser::Optimiser::new(problem, options, horizon))
     }
 }
 

@@ -51,11 +51,6 @@ impl Twins {
         twins
     }
 
-    /// Knows that no pair that matters leads to the goals.
-    pub(in crate::solver::exact) fn hopeless() -> Self {
-        Self::default()
-    }
-
     /// Whether every pair that can be reached is known.
     pub(in crate::solver::exact) fn complete(&self) -> bool {
         self.next == self.reached.len()

@@ -21,7 +21,6 @@ mod tests;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::way::shortest_way;
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, Role};
@@ -65,7 +64,6 @@ pub(in crate::solver) struct Prospects {
     tables: Tables,
     /// Whether the best plan is asked for, or any that keeps the bounds.
     best: bool,
-    bounds: Bounds,
     /// What is left to look at, the best last.
     groups: Vec<Vec<Hope>>,
     /// Hopes for one observer alone, and whether they can be fulfilled.
@@ -130,7 +128,6 @@ impl Prospects {
             live,
             tables,
             best,
-            bounds,
             groups,
             alone: BTreeMap::new(),
             pass: None,
@@ -258,12 +255,6 @@ impl Prospects {
             }
         }
         Ok(Verdict::Working)
-    }
-
-    /// A plan for who stops here, where there is one at hand.
-    pub(in crate::solver) fn stop(&mut self) -> Option<Plan> {
-        let known = self.shortest.take();
-        known.or_else(|| Some(shortest_way(&mut self.joint, &self.live, &self.bounds)?.plan))
     }
 
     /// What the work took so far.

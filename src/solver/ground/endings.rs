@@ -1,0 +1,92 @@
+//! Endings: from which states a plan can still end after exactly so many more actions.
+
+use fixedbitset::FixedBitSet;
+
+use crate::limits::LimitReached;
+use crate::problem::JointSpace;
+use crate::task::StateId;
+
+/// States listed for endings, at most. Above, the horizon is kept by estimates alone, which leaves
+/// out less: a plan of just this length may need another parity of steps than the estimates see.
+const MOST_STATES: usize = 400_000;
+
+/// For each number of actions left, the states from which the true goal is that far, exactly.
+#[derive(Debug)]
+pub(in crate::solver) struct Endings {
+    layers: Vec<FixedBitSet>,
+}
+
+impl Endings {
+    /// Forward from the initial state as far as the horizon, then back from the goal: linear in the
+    /// horizon times the transitions. None where too many states are met.
+    pub(in crate::solver) fn new(
+        joint: &mut JointSpace,
+        horizon: usize,
+    ) -> Result<Option<Self>, LimitReached> {
+        let start = joint.initial().state;
+        let limits = *joint.limits();
+        let mut depths: Vec<u32> = vec![0; start.index() + 1];
+        let mut layer = vec![start];
+        let mut met = FixedBitSet::new();
+        met.grow_and_insert(start.index());
+        let mut reached = vec![start];
+        for step in 1..=horizon {
+            let mut next = Vec::new();
+            for &state in &layer {
+                joint.states_mut().expand(state);
+                for edge in joint.states().edges(state) {
+                    if edge.target.index() >= met.len() || !met[edge.target.index()] {
+                        met.grow_and_insert(edge.target.index());
+                        next.push(edge.target);
+                    }
+                }
+            }
+            if reached.len() + next.len() > MOST_STATES {
+                return Ok(None);
+            }
+            limits.check_bytes(joint.bytes())?;
+            if next.is_empty() {
+                break;
+            }
+            depths.resize(joint.states().len(), 0);
+            for state in &next {
+                depths[state.index()] = step as u32;
+            }
+            reached.extend(&next);
+            layer = next;
+        }
+        depths.resize(joint.states().len(), 0);
+        let count = joint.states().len();
+        limits.check_bytes(joint.bytes() + (horizon as u64 + 1) * (count as u64 / 8 + 24))?;
+        let mut last = FixedBitSet::with_capacity(count);
+        for &state in &reached {
+            if joint.is_goal(state) {
+                last.insert(state.index());
+            }
+        }
+        let mut layers = vec![last];
+        for left in 1..=horizon {
+            let mut layer = FixedBitSet::with_capacity(count);
+            // A state first met after more steps has no such many left.
+            let near = |state: &&StateId| depths[state.index()] as usize + left <= horizon;
+            for state in reached.iter().take_while(near) {
+                let edges = joint.states().edges(*state);
+                if edges.iter().any(|edge| layers[left - 1].contains(edge.target.index())) {
+                    layer.insert(state.index());
+                }
+            }
+            layers.push(layer);
+        }
+        Ok(Some(Self { layers }))
+    }
+
+    /// Whether a plan can end with exactly so many more actions from a state.
+    pub(in crate::solver) fn contains(&self, state: StateId, left: usize) -> bool {
+        self.layers.get(left).is_some_and(|layer| layer.contains(state.index()))
+    }
+
+    /// Bytes in use, counted by contents.
+    pub(in crate::solver) fn bytes(&self) -> u64 {
+        self.layers.iter().map(|layer| layer.len() as u64 / 8 + 24).sum()
+    }
+}

@@ -1,0 +1,159 @@
+//! Goal distances: how far each candidate goal is from a state and from a belief.
+//!
+//! Each goal is a set of facts; each fact is so many changes of its group away, the preconditions of
+//! the operators left aside (an atomic projection: a pattern database of one variable, Edelkamp
+//! 2001). The largest of these numbers never says more than the true distance; their sum says more
+//! and is the better guide. Where one of them is infinite the goal is out of reach. A belief is as
+//! far from a goal as its nearest state. No state is expanded for any of this.
+
+use super::transition_graphs::TransitionGraphs;
+use crate::belief::BeliefId;
+use crate::problem::{JointSpace, Problem};
+use crate::task::{StateId, Task};
+
+/// A goal that cannot be reached any more.
+pub(in crate::solver) const NEVER: u8 = u8::MAX;
+/// Distances beyond this are not told apart.
+const FARTHEST: u32 = NEVER as u32 - 1;
+
+/// The part of the memory limit that distances of states may take: an eighth. Further states count
+/// as 0 away from every goal, which makes the order worse and nothing wrong.
+const PART_OF_MEMORY: u64 = 8;
+
+/// The distances of a goal's facts by the value of their group.
+#[derive(Debug)]
+struct FactTable {
+    group: usize,
+    distances: Vec<Option<u32>>,
+}
+
+/// How distances of several facts become one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::solver) enum Combine {
+    /// Their sum: a guide.
+    Sum,
+    /// The largest: never more than the true distance.
+    Max,
+}
+
+/// Distances of all goals, each worked out once.
+#[derive(Debug)]
+pub(in crate::solver) struct GoalDistances {
+    combine: Combine,
+    tables: Vec<FactTable>,
+    /// By goal: the tables of its facts.
+    goals: Vec<Vec<u32>>,
+    /// By state, then by goal.
+    states: Vec<u8>,
+    /// The most entries of `states`.
+    room: usize,
+    /// By observer: by belief, then by goal; and which rows are known.
+    beliefs: Vec<Vec<u8>>,
+    known: Vec<Vec<bool>>,
+}
+
+impl GoalDistances {
+    /// Reads the operators of a problem: linear in their effects, for each fact of a goal.
+    pub(in crate::solver) fn new(problem: &Problem, combine: Combine, memory: u64) -> Self {
+        let task = problem.task();
+        let graphs = TransitionGraphs::new(task);
+        let mut facts: Vec<usize> = Vec::new();
+        let mut tables = Vec::new();
+        let mut goals = Vec::new();
+        for goal in problem.goals() {
+            let mut row = Vec::new();
+            for fact in &goal.condition {
+                let place = facts.iter().position(|known| *known == fact.index());
+                let place = place.unwrap_or_else(|| {
+                    facts.push(fact.index());
+                    let group = task.layout().group(*fact);
+                    let value = task.layout().value(*fact);
+                    tables.push(FactTable { group, distances: graphs.distances_to(group, value) });
+                    tables.len() - 1
+                });
+                row.push(place as u32);
+            }
+            goals.push(row);
+        }
+        Self {
+            combine,
+            tables,
+            goals,
+            states: Vec::new(),
+            room: (memory / PART_OF_MEMORY).min(usize::MAX as u64) as usize,
+            beliefs: vec![Vec::new(); problem.observers().len() + 1],
+            known: vec![Vec::new(); problem.observers().len() + 1],
+        }
+    }
+
+    /// Bytes in use, counted by contents.
+    pub(in crate::solver) fn bytes(&self) -> u64 {
+        let rows: usize = self.beliefs.iter().map(Vec::len).sum();
+        (self.states.len() + rows) as u64
+    }
+
+    fn measure(&mut self, task: &Task, words: &[u64]) {
+        for goal in 0..self.goals.len() {
+            let mut total = 0_u32;
+            for &table in &self.goals[goal] {
+                let table = &self.tables[table as usize];
+                let value = task.layout().group_value(words, table.group);
+                total = match (table.distances[value], self.combine) {
+                    (None, _) => u32::MAX,
+                    (Some(distance), Combine::Sum) => total.saturating_add(distance),
+                    (Some(distance), Combine::Max) => total.max(distance),
+                };
+            }
+            self.states.push(if total == u32::MAX { NEVER } else { total.min(FARTHEST) as u8 });
+        }
+    }
+
+    /// Works out the rows of all states met so far, as long as there is room.
+    pub(in crate::solver) fn update(&mut self, joint: &JointSpace) {
+        let width = self.goals.len();
+        let states = joint.states();
+        while self.states.len() + width <= self.room && self.states.len() < width * states.len() {
+            let state = StateId((self.states.len() / width) as u32);
+            self.measure(states.task(), states.words(state));
+        }
+    }
+
+    /// The distance of each goal from a state.
+    pub(in crate::solver) fn of_state(&self, state: StateId) -> Option<&[u8]> {
+        let width = self.goals.len();
+        self.states.get(state.index() * width..(state.index() + 1) * width)
+    }
+
+    /// The distance of each goal from a belief of an observer, or of a set with the number of all
+    /// observers. The states are those of the belief.
+    pub(in crate::solver) fn of_belief(
+        &mut self,
+        observer: usize,
+        belief: BeliefId,
+        members: &[StateId],
+    ) -> &[u8] {
+        let width = self.goals.len();
+        let row = belief.index() * width..(belief.index() + 1) * width;
+        let known = self.known[observer].get(belief.index()).copied().unwrap_or(false);
+        if !known {
+            let mut least = vec![NEVER; width];
+            for &state in members {
+                let distances = self.states.get(state.index() * width..(state.index() + 1) * width);
+                let Some(distances) = distances else {
+                    least.fill(0);
+                    break;
+                };
+                for (least, &distance) in least.iter_mut().zip(distances) {
+                    *least = distance.min(*least);
+                }
+            }
+            let rows = &mut self.beliefs[observer];
+            rows.resize(rows.len().max(row.end), NEVER);
+            rows[row.clone()].copy_from_slice(&least);
+            let known = &mut self.known[observer];
+            known.resize(known.len().max(belief.index() + 1), false);
+            known[belief.index()] = true;
+        }
+        &self.beliefs[observer][row]
+    }
+}

@@ -1,0 +1,440 @@
+//! The bound by linear invariants over facts: observable classes without listing a state.
+//!
+//! Give every fact a weight and a state the sum of the weights of its facts. Where each operator
+//! changes the sum by an amount that its symbol determines, and the sum is one and the same over the
+//! initial belief, the observer always knows the sum: no two states with different sums are ever in
+//! one belief. Such weights are the solutions of linear equations, one for each operator, found by
+//! Gaussian elimination. Where the amount is 0 for every operator, the sum never changes at all.
+//!
+//! Any field does. Over a large prime field one solution at random tells apart nearly all that the
+//! solutions together do; over GF(2) 64 of them do, and parities are found that way. What they
+//! confuse makes the bound higher, never wrong.
+//!
+//! A goal can survive for an enemy only if some state that satisfies it, whatever its groups of
+//! exclusive facts hold otherwise, has the sum of the final state; so the bound is the greatest
+//! number of such goals over the sums of states that satisfy the true goal. Sums are added up group
+//! by group. In Logistics the sums are how many packages are in each city.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use super::{Bound, Most};
+use crate::limits::LimitReached;
+use crate::problem::{Problem, Role};
+use crate::sensor::Sensor;
+use crate::solver::Watched;
+use crate::solver::ground::transition_graphs::{Change, TransitionGraphs, changes, value_count};
+use crate::solver::optimiser::space::Space;
+use crate::solver::optimiser::thresholds::{
+    BELIEVED_OF_INVARIANTS, FACTS_OF_INVARIANTS, OPERATORS_OF_INVARIANTS, SUMS_OF_INVARIANTS,
+    WORK_OF_ELIMINATION,
+};
+use crate::task::{Fact, OperatorId, State, Task};
+
+/// A Mersenne prime.
+const PRIME: u64 = (1 << 61) - 1;
+/// The bound.
+#[derive(Debug)]
+pub(in crate::solver::optimiser) struct Invariants;
+
+fn multiply(a: u64, b: u64) -> u64 {
+    (u128::from(a) * u128::from(b) % u128::from(PRIME)) as u64
+}
+
+fn add(a: u64, b: u64) -> u64 {
+    let sum = a + b;
+    if sum >= PRIME { sum - PRIME } else { sum }
+}
+
+fn negate(a: u64) -> u64 {
+    if a == 0 { 0 } else { PRIME - a }
+}
+
+fn inverse(a: u64) -> u64 {
+    let (mut result, mut base, mut exponent) = (1, a, PRIME - 2);
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = multiply(result, base);
+        }
+        base = multiply(base, base);
+        exponent >>= 1;
+    }
+    result
+}
+
+/// The numbers of splitmix64: the same everywhere.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ z >> 31
+    }
+}
+
+/// A change of a state as a sparse vector over facts, sorted by fact.
+type Vector = Vec<(usize, i32)>;
+
+/// The sum of vectors, each times a sign.
+fn combine(parts: &[(&Vector, i32)]) -> Vector {
+    let mut all: Vector = Vec::new();
+    for (vector, sign) in parts {
+        all.extend(vector.iter().map(|&(fact, amount)| (fact, sign * amount)));
+    }
+    all.sort_unstable();
+    let mut sum: Vector = Vec::new();
+    for (fact, amount) in all {
+        match sum.last_mut() {
+            Some((last, total)) if *last == fact => *total += amount,
+            _ => sum.push((fact, amount)),
+        }
+    }
+    sum.retain(|(_, amount)| *amount != 0);
+    sum
+}
+
+/// What an operator changes: one vector it may come to, and differences from it to all others.
+struct Effect {
+    base: Vector,
+    differences: Vec<Vector>,
+}
+
+/// Weights of the facts: over the prime field, and 64 times over GF(2).
+#[derive(Debug)]
+struct Weights {
+    prime: Vec<u64>,
+    bits: Vec<u64>,
+}
+
+/// The sums of a state under one set of weights.
+type Sum = (u64, u64);
+
+fn plus(a: Sum, b: Sum) -> Sum {
+    (add(a.0, b.0), a.1 ^ b.1)
+}
+
+impl Weights {
+    /// Weights that each of these vectors sums up to 0 under; none where that takes too long.
+    fn orthogonal_to(vectors: &FxHashSet<Vector>, facts: usize) -> Option<Self> {
+        let mut ordered: Vec<&Vector> = vectors.iter().collect();
+        ordered.sort_unstable();
+        let mut random = Random(facts as u64);
+        let prime = solve_prime(&ordered, facts, &mut random)?;
+        let bits = solve_bits(&ordered, facts, &mut random);
+        Some(Self { prime, bits })
+    }
+
+    fn of(&self, fact: usize) -> Sum {
+        (self.prime[fact], self.bits[fact])
+    }
+}
+
+/// A random solution over the prime field.
+fn solve_prime(vectors: &[&Vector], facts: usize, random: &mut Random) -> Option<Vec<u64>> {
+    let mut rows: Vec<(usize, Vec<u64>)> = Vec::new();
+    let mut work = 0;
+    for vector in vectors {
+        let mut dense = vec![0; facts];
+        for &(fact, amount) in *vector {
+            let size = u64::from(amount.unsigned_abs());
+            dense[fact] = if amount < 0 { negate(size) } else { size };
+        }
+        for (pivot, row) in &rows {
+            let factor = negate(dense[*pivot]);
+            if factor != 0 {
+                work += facts as u64;
+                for (value, more) in dense.iter_mut().zip(row) {
+                    if *more != 0 {
+                        *value = add(*value, multiply(factor, *more));
+                    }
+                }
+            }
+        }
+        if work > WORK_OF_ELIMINATION {
+            return None;
+        }
+        if let Some(pivot) = dense.iter().position(|value| *value != 0) {
+            let factor = inverse(dense[pivot]);
+            for value in &mut dense {
+                *value = multiply(factor, *value);
+            }
+            rows.push((pivot, dense));
+        }
+    }
+    let mut weights: Vec<u64> = (0..facts).map(|_| random.next() % PRIME).collect();
+    // A row is 0 at the pivots of the rows before it, so the last one is solved first.
+    for (pivot, row) in rows.iter().rev() {
+        let others = row.iter().zip(&weights).enumerate().filter(|(fact, _)| fact != pivot);
+        let sum = others.fold(0, |sum, (_, (value, weight))| add(sum, multiply(*value, *weight)));
+        weights[*pivot] = negate(sum);
+    }
+    Some(weights)
+}
+
+/// 64 random solutions over GF(2), a bit for each.
+fn solve_bits(vectors: &[&Vector], facts: usize, random: &mut Random) -> Vec<u64> {
+    let mut rows: Vec<(usize, Vec<u64>)> = Vec::new();
+    for vector in vectors {
+        let mut dense = vec![0_u64; facts.div_ceil(64)];
+        for &(fact, amount) in *vector {
+            dense[fact / 64] ^= u64::from(amount % 2 != 0) << (fact % 64);
+        }
+        for (pivot, row) in &rows {
+            if dense[pivot / 64] >> (pivot % 64) & 1 == 1 {
+                dense.iter_mut().zip(row).for_each(|(word, other)| *word ^= other);
+            }
+        }
+        if let Some(place) = dense.iter().position(|word| *word != 0) {
+            rows.push((place * 64 + dense[place].trailing_zeros() as usize, dense));
+        }
+    }
+    let mut weights: Vec<u64> = (0..facts).map(|_| random.next()).collect();
+    for (pivot, row) in rows.iter().rev() {
+        let others =
+            (0..facts).filter(|fact| fact != pivot && row[fact / 64] >> (fact % 64) & 1 == 1);
+        weights[*pivot] = others.fold(0, |sum, fact| sum ^ weights[fact]);
+    }
+    weights
+}
+
+/// A problem as invariants see it.
+struct Facts<'a> {
+    task: &'a Task,
+    effects: Vec<Effect>,
+    /// By group: the values it can have.
+    values: Vec<Vec<usize>>,
+}
+
+impl<'a> Facts<'a> {
+    /// None where an operator has effects that this does not look at.
+    fn new(problem: &'a Problem) -> Option<Self> {
+        let task = problem.task().as_ref();
+        let layout = task.layout();
+        let graphs = TransitionGraphs::new(task);
+        let believed = problem.observers().iter().flat_map(|observer| &observer.initial_belief);
+        let starts: Vec<&[u64]> =
+            [task.initial_state()].into_iter().chain(believed).map(State::words).collect();
+        let values: Vec<Vec<usize>> = (0..layout.group_count())
+            .map(|group| {
+                let mut from: Vec<usize> =
+                    starts.iter().map(|words| layout.group_value(words, group)).collect();
+                from.sort_unstable();
+                from.dedup();
+                let reached = graphs.reachable(group, &from);
+                (0..value_count(task, group)).filter(|value| reached[*value]).collect()
+            })
+            .collect();
+        let mut facts = Self { task, effects: Vec::new(), values };
+        for operator in task.operators() {
+            let changes = changes(task, operator);
+            let certain = |change: &&Change| !change.optional;
+            for (place, change) in changes.iter().enumerate() {
+                let twice = changes[..place].iter().filter(certain);
+                if certain(&change) && twice.into_iter().any(|other| other.group == change.group) {
+                    return None;
+                }
+            }
+            let effect = facts.effect(&changes);
+            facts.effects.push(effect);
+        }
+        Some(facts)
+    }
+
+    fn fact(&self, group: usize, value: usize) -> Option<usize> {
+        let place = value.checked_sub(1)?;
+        self.task.layout().facts_of_group(group).get(place).map(|fact: &Fact| fact.index())
+    }
+
+    /// From one value of a group to another.
+    fn step(&self, group: usize, from: usize, to: usize) -> Vector {
+        let lost = self.fact(group, from).map(|fact| (fact, -1));
+        let gained = self.fact(group, to).map(|fact| (fact, 1));
+        combine(&[(&lost.into_iter().collect(), 1), (&gained.into_iter().collect(), 1)])
+    }
+
+    fn effect(&self, changes: &[Change]) -> Effect {
+        let mut effect = Effect { base: Vec::new(), differences: Vec::new() };
+        for change in changes {
+            match change.from {
+                Some(from) if change.optional => {
+                    effect.differences.push(self.step(change.group, from, change.to));
+                }
+                Some(from) => {
+                    let step = self.step(change.group, from, change.to);
+                    effect.base = combine(&[(&effect.base, 1), (&step, 1)]);
+                }
+                None => {
+                    let values = &self.values[change.group];
+                    let Some(&first) = values.first() else { continue };
+                    let step = self.step(change.group, first, change.to);
+                    effect.base = combine(&[(&effect.base, 1), (&step, 1)]);
+                    let others = values.iter().skip(1);
+                    let differ = others.map(|&value| self.step(change.group, value, first));
+                    effect.differences.extend(differ);
+                }
+            }
+        }
+        effect
+    }
+
+    /// Weights whose sum no operator changes.
+    fn unchanging(&self) -> Option<Weights> {
+        let mut vectors = FxHashSet::default();
+        for effect in &self.effects {
+            vectors.insert(effect.base.clone());
+            vectors.extend(effect.differences.iter().cloned());
+        }
+        Weights::orthogonal_to(&vectors, self.task.fact_count())
+    }
+
+    /// Weights whose sum an observer always knows.
+    fn known_by(&self, sensor: &Sensor, believed: &[Vec<Fact>]) -> Option<Weights> {
+        let mut vectors = FxHashSet::default();
+        let mut first: FxHashMap<usize, &Vector> = FxHashMap::default();
+        for (number, effect) in self.effects.iter().enumerate() {
+            vectors.extend(effect.differences.iter().cloned());
+            for symbol in sensor.symbols_of(OperatorId::new(number)) {
+                let known = first.entry(symbol.index()).or_insert(&effect.base);
+                vectors.insert(combine(&[(known, 1), (&effect.base, -1)]));
+            }
+        }
+        let as_vector =
+            |facts: &Vec<Fact>| facts.iter().map(|f| (f.index(), 1)).collect::<Vector>();
+        if let Some((start, others)) = believed.split_first() {
+            let start = as_vector(start);
+            for other in others {
+                vectors.insert(combine(&[(&as_vector(other), 1), (&start, -1)]));
+            }
+        }
+        Weights::orthogonal_to(&vectors, self.task.fact_count())
+    }
+
+    fn sum(&self, weights: &Weights, facts: &[Fact]) -> Sum {
+        let _ = self;
+        facts.iter().fold((0, 0), |sum, fact| plus(sum, weights.of(fact.index())))
+    }
+
+    /// The sums under several weights of all states that satisfy a goal; none where there are too
+    /// many.
+    fn sums(&self, goal: &[Fact], weights: &[&Weights]) -> Option<FxHashSet<Vec<Sum>>> {
+        let layout = self.task.layout();
+        let mut sums: FxHashSet<Vec<Sum>> = FxHashSet::from_iter([vec![(0, 0); weights.len()]]);
+        for (group, values) in self.values.iter().enumerate() {
+            let asked: Vec<usize> = goal
+                .iter()
+                .filter(|fact| layout.group(**fact) == group)
+                .map(|fact| layout.value(*fact))
+                .collect();
+            let fits = |value: &&usize| asked.iter().all(|asked| asked == *value);
+            let mut choices: Vec<Vec<Sum>> = Vec::new();
+            for &value in values.iter().filter(fits) {
+                let fact = self.fact(group, value);
+                let choice: Vec<Sum> =
+                    weights.iter().map(|w| fact.map_or((0, 0), |fact| w.of(fact))).collect();
+                if !choices.contains(&choice) {
+                    choices.push(choice);
+                }
+            }
+            let mut next = FxHashSet::default();
+            for sum in &sums {
+                for choice in &choices {
+                    next.insert(sum.iter().zip(choice).map(|(a, b)| plus(*a, *b)).collect());
+                }
+            }
+            if next.len() > SUMS_OF_INVARIANTS {
+                return None;
+            }
+            sums = next;
+        }
+        Some(sums)
+    }
+}
+
+/// An enemy: the weights it knows, and the sums at which each goal can survive for it.
+struct Enemy {
+    observer: usize,
+    weights: Weights,
+    goals: Vec<FxHashSet<Sum>>,
+}
+
+impl Invariants {
+    /// The bound; none where it would take too much.
+    fn compute(space: &Space) -> Option<Most> {
+        let problem = space.problem();
+        let task = problem.task();
+        let believed = problem.observers().iter().map(|o| o.initial_belief.len()).sum::<usize>();
+        if task.fact_count() > FACTS_OF_INVARIANTS
+            || task.operators().len() > OPERATORS_OF_INVARIANTS
+            || believed > BELIEVED_OF_INVARIANTS
+        {
+            return None;
+        }
+        let facts = Facts::new(problem)?;
+        let unchanging = facts.unchanging()?;
+        let start = facts.sum(&unchanging, &task.facts_of(task.initial_state().words()));
+        let mut enemies = Vec::new();
+        for (observer, watched) in problem.observers().iter().enumerate() {
+            if watched.role != Role::Adversarial {
+                continue;
+            }
+            let believed: Vec<Vec<Fact>> =
+                watched.initial_belief.iter().map(|state| task.facts_of(state.words())).collect();
+            let weights = facts.known_by(&watched.sensor, &believed)?;
+            let begins: FxHashSet<Sum> =
+                believed.iter().map(|state| facts.sum(&unchanging, state)).collect();
+            let mut goals = Vec::new();
+            for goal in problem.goals() {
+                let sums = facts.sums(&goal.condition, &[&unchanging, &weights])?;
+                let possible = sums.into_iter().filter(|sum| begins.contains(&sum[0]));
+                goals.push(possible.map(|sum| sum[1]).collect());
+            }
+            enemies.push(Enemy { observer, weights, goals });
+        }
+        let all: Vec<&Weights> =
+            [&unchanging].into_iter().chain(enemies.iter().map(|enemy| &enemy.weights)).collect();
+        let ends = facts.sums(task.goal(), &all)?;
+        let bounds = &space.bounds;
+        let of = |list: &[Watched], observer: usize| -> FxHashSet<usize> {
+            list.iter().filter(|w| w.observer == observer).map(|w| w.goal).collect()
+        };
+        let friends =
+            problem.observers().iter().enumerate().filter(|(_, o)| o.role == Role::Cooperative);
+        let least = friends.map(|(observer, _)| {
+            let mut left = of(&bounds.required, observer);
+            left.insert(problem.true_goal());
+            left.len()
+        });
+        let least = least.max().unwrap_or(1);
+        let mut most: Option<i64> = None;
+        for end in ends.iter().filter(|end| end[0] == start) {
+            let mut survivors = problem.goals().len();
+            let mut allowed = true;
+            for (enemy, sum) in enemies.iter().zip(&end[1..]) {
+                let possible = |goal: &usize| enemy.goals[*goal].contains(sum);
+                let forbidden = of(&bounds.forbidden, enemy.observer);
+                allowed &= of(&bounds.required, enemy.observer).iter().all(possible);
+                let left = (0..problem.goals().len()).filter(|goal| !forbidden.contains(goal));
+                survivors = survivors.min(left.filter(possible).count());
+            }
+            allowed &= bounds.at_least.is_none_or(|k| survivors >= k)
+                && bounds.at_most.is_none_or(|j| least <= j);
+            if allowed {
+                let value = survivors as i64 - least as i64;
+                most = Some(most.map_or(value, |known| known.max(value)));
+            }
+        }
+        Some(most.map_or(Most::Infeasible, Most::Value))
+    }
+}
+
+impl Bound for Invariants {
+    fn name(&self) -> &'static str {
+        "linear invariants"
+    }
+
+    fn most(&mut self, space: &mut Space) -> Result<Most, LimitReached> {
+        Ok(Self::compute(space).unwrap_or(Most::Unaffordable))
+    }
+}

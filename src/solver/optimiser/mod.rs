@@ -1,0 +1,388 @@
+//! The optimiser: the best plan, at a horizon or over all lengths, with a proof.
+//!
+//! What a plan achieves depends on the node it ends in, where the actor may be and what every
+//! observer believes, and on nothing else. So the best plan is looked for best first over nodes, and
+//! the proof is either that its value meets an upper bound that no plan can pass, or that every node
+//! left is worse.
+//!
+//! - [`space`] is what is searched: nodes and their successors, expanded as they are met,
+//! - [`search`] is the one loop, [`order`] the order in which it takes up nodes, [`queue`] its queue,
+//! - [`dominance`] leaves out nodes that another one is at least as good as, where that is sound,
+//! - [`estimates`] say how long a plan through a node must still be,
+//! - [`bounds`] are the upper bounds on all plans,
+//! - [`thresholds`] are all in one place.
+//!
+//! Over all lengths a plan found so need not be short. A second search, by length, then looks for a
+//! shortest plan of the value that is proved.
+
+pub mod bounds;
+mod dominance;
+mod estimates;
+mod order;
+mod queue;
+mod search;
+mod space;
+mod thresholds;
+
+use std::sync::Arc;
+
+use crate::limits::LimitReached;
+use crate::plan::Plan;
+use crate::problem::{JointSpace, Problem, SurvivorCounts};
+use crate::solver::engine::{Advance, Engine, Finding};
+use crate::solver::outcome::{Progress, Stats, Status};
+use crate::solver::{Bounds, Options};
+use bounds::classes::Classes;
+use bounds::invariants::Invariants;
+use bounds::pairs::Pairs;
+use bounds::{Bound, Most};
+use estimates::Estimates;
+use search::{Order, Search, Step, Way};
+use space::{Actor, Space};
+use thresholds::{
+    EXPANSIONS_BEFORE_ALL_CLASSES, EXPANSIONS_BEFORE_CLASSES, EXPANSIONS_BEFORE_INVARIANTS,
+    EXPANSIONS_BEFORE_PAIRS, EXPANSIONS_BEFORE_PAIRS_SHORTEN, EXPANSIONS_BETWEEN_CHECKS,
+    STATES_OF_A_SMALL_SPACE, STATES_OF_CLASSES, WORK_TO_SHORTEN,
+};
+
+/// The engine for the best plan.
+pub(in crate::solver) struct Optimiser {
+    problem: Arc<Problem>,
+    options: Options,
+    horizon: Option<usize>,
+    work: Option<Box<Work>>,
+    /// No plan is worth more; none where there is no plan at all.
+    bound: Option<i64>,
+    best: Option<(SurvivorCounts, Plan)>,
+    /// Whether the best plan is known to be a shortest one of its value.
+    length_proved: bool,
+    /// How many of the questions have been asked.
+    asked: usize,
+    expansions: u64,
+    generated: u64,
+}
+
+/// What the searches share, and the one at work.
+#[derive(Debug)]
+struct Work {
+    space: Space,
+    estimates: Estimates,
+    stage: Stage,
+    /// Expansions and believed states gone through when the present stage began.
+    begun: (u64, u64),
+    /// Whether tables over pairs of states have been tried.
+    tried_pairs: bool,
+}
+
+#[derive(Debug)]
+enum Stage {
+    /// Looks for good plans in the order of promise.
+    Find(Search),
+    /// Looks for a plan that is worth more than the best one, with tables over pairs of states: first
+    /// with each observer alone, by position, which mostly shows that there is none; then with all.
+    Prove(Search, Option<usize>),
+    /// Looks for a shortest plan of the best value.
+    Shorten(Search),
+}
+
+impl Stage {
+    fn search(&self) -> &Search {
+        match self {
+            Self::Find(search) | Self::Prove(search, _) | Self::Shorten(search) => search,
+        }
+    }
+}
+
+/// What is asked while the first search is at work, after so many expansions.
+#[derive(Debug, Clone, Copy)]
+enum Question {
+    Bound(fn() -> Box<dyn Bound>),
+    Pairs,
+}
+
+/// In the order of their expansions.
+const QUESTIONS: [(u64, Question); 4] = [
+    (
+        EXPANSIONS_BEFORE_CLASSES,
+        Question::Bound(|| Box::new(Classes { most_states: STATES_OF_A_SMALL_SPACE })),
+    ),
+    (EXPANSIONS_BEFORE_PAIRS, Question::Pairs),
+    (EXPANSIONS_BEFORE_INVARIANTS, Question::Bound(|| Box::new(Invariants))),
+    (
+        EXPANSIONS_BEFORE_ALL_CLASSES,
+        Question::Bound(|| Box::new(Classes { most_states: STATES_OF_CLASSES })),
+    ),
+];
+
+/// Shown without its insides, which would weigh heavily in the wasm file.
+impl std::fmt::Debug for Optimiser {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Optimiser").field("horizon", &self.horizon).finish_non_exhaustive()
+    }
+}
+
+impl Optimiser {
+    pub(in crate::solver) fn new(
+        problem: Arc<Problem>,
+        options: &Options,
+        horizon: Option<usize>,
+    ) -> Self {
+        let bound = Some(options.heeded_bounds().most_difference(&problem));
+        Self {
+            problem,
+            options: options.clone(),
+            horizon,
+            work: None,
+            bound,
+            best: None,
+            length_proved: false,
+            asked: 0,
+            expansions: 0,
+            generated: 0,
+        }
+    }
+
+    fn begin(&mut self) -> Result<Box<Work>, LimitReached> {
+        let bounds: Bounds = self.options.heeded_bounds();
+        let mut joint = JointSpace::new(Arc::clone(&self.problem), self.options.limits);
+        joint.initial();
+        let most = self.bound.unwrap_or_default();
+        let estimates = Estimates::new(&mut joint, self.horizon, most)?;
+        let space = Space::new(joint, bounds);
+        let actor = if estimates.knows_endings() { Actor::State } else { Actor::Word };
+        let way = Way {
+            actor,
+            order: Order::Promise,
+            horizon: self.horizon.map(|horizon| horizon as u32),
+            dominance: true,
+            shorter_than: u32::MAX,
+            alone: None,
+        };
+        let search = Search::new(&space, way, 1 - self.problem.goals().len() as i64);
+        let stage = Stage::Find(search);
+        Ok(Box::new(Work { space, estimates, stage, begun: (0, 0), tried_pairs: false }))
+    }
+
+    fn check_limits(&self, work: &Work) -> Result<(), LimitReached> {
+        let limits = &self.options.limits;
+        if self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
+            let search = work.stage.search().bytes();
+            limits.check_bytes(work.space.bytes() + work.estimates.bytes() + search)?;
+        }
+        if self.expansions >= limits.expansions {
+            return Err(LimitReached::Expansions { limit: limits.expansions });
+        }
+        Ok(())
+    }
+
+    /// Whether no plan is worth more than the best one.
+    fn is_proved(&self) -> bool {
+        match (&self.best, self.bound) {
+            (Some((counts, _)), Some(bound)) => counts.difference() >= bound,
+            (_, None) => true,
+            (None, Some(_)) => false,
+        }
+    }
+
+    fn finding(&self) -> Finding {
+        match &self.best {
+            Some((_, plan)) => Finding {
+                length_proved: self.horizon.is_none().then_some(self.length_proved),
+                ..Finding::plan(Status::Optimal, plan.clone())
+            },
+            None => Finding::infeasible(),
+        }
+    }
+
+    /// Takes note of what a bound says.
+    fn heed(&mut self, work: &mut Work, most: Most) {
+        match (most, self.bound) {
+            (Most::Value(most), Some(known)) => {
+                self.bound = Some(known.min(most));
+                work.estimates.most = known.min(most);
+            }
+            (Most::Infeasible, _) => self.bound = None,
+            (Most::Unaffordable, _) | (_, None) => {}
+        }
+    }
+
+    /// Asks the next question where it is due; true when one was asked.
+    fn ask(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
+        let Some((after, question)) = QUESTIONS.get(self.asked) else { return Ok(false) };
+        if !matches!(work.stage, Stage::Find(_)) || self.expansions < *after {
+            return Ok(false);
+        }
+        self.asked += 1;
+        match question {
+            Question::Bound(bound) => {
+                let most = bound().most(&mut work.space)?;
+                self.heed(work, most);
+            }
+            Question::Pairs => {
+                if self.make_pairs(work)? && !self.is_proved() {
+                    self.prove(work, self.problem.observers().len().checked_sub(1));
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    /// Makes tables over pairs of states, once; true where there are some.
+    fn make_pairs(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
+        if !work.tried_pairs {
+            work.tried_pairs = true;
+            if let Some(mut pairs) = Pairs::new(&mut work.space)? {
+                let most = pairs.most(&mut work.space);
+                work.estimates.pairs = Some(Box::new(pairs));
+                self.heed(work, most);
+            }
+        }
+        Ok(work.estimates.pairs.is_some())
+    }
+
+    fn begin_stage(&mut self, work: &mut Work, stage: Stage) {
+        self.generated += work.stage.search().len() as u64;
+        work.stage = stage;
+        work.begun = (self.expansions, work.space.touched);
+    }
+
+    /// Looks for a plan that is worth more than the best one, with one observer alone or with all.
+    fn prove(&mut self, work: &mut Work, alone: Option<usize>) {
+        let order = if self.horizon.is_some() { Order::Depth } else { Order::Length };
+        let way = Way {
+            actor: Actor::State,
+            order,
+            horizon: self.horizon.map(|horizon| horizon as u32),
+            dominance: true,
+            shorter_than: u32::MAX,
+            alone,
+        };
+        let least = 1 - self.problem.goals().len() as i64;
+        let aim = self.best.as_ref().map_or(least, |(counts, _)| counts.difference() + 1);
+        let search = Search::new(&work.space, way, aim);
+        self.begin_stage(work, Stage::Prove(search, alone));
+    }
+
+    /// One step of the search at work; true when the answer is there.
+    fn step(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
+        if self.ask(work)? {
+            return Ok(self.is_proved()
+                && matches!(work.stage, Stage::Find(_))
+                && self.shorten(work));
+        }
+        self.check_limits(work)?;
+        let Work { space, estimates, stage, .. } = work;
+        let (Stage::Find(search) | Stage::Prove(search, _) | Stage::Shorten(search)) = stage;
+        let step = search.step(space, estimates)?;
+        self.expansions += 1;
+        match (step, &*stage) {
+            (Step::On, Stage::Shorten(_)) => return self.go_on_shortening(work),
+            (Step::On, _) => {}
+            // Not ruled out: the next observer, in the end all.
+            (Step::Found(..), Stage::Prove(_, Some(observer))) => {
+                let next = observer.checked_sub(1);
+                self.prove(work, next);
+            }
+            (Step::Found(counts, plan), stage) => {
+                self.length_proved = !matches!(stage, Stage::Find(_));
+                self.best = Some((counts, plan));
+                match stage {
+                    Stage::Find(_) if self.is_proved() => return Ok(self.shorten(work)),
+                    Stage::Find(_) => {}
+                    Stage::Prove(..) if self.is_proved() => return Ok(true),
+                    Stage::Prove(..) => {
+                        self.prove(work, self.problem.observers().len().checked_sub(1));
+                    }
+                    Stage::Shorten(_) => return Ok(true),
+                }
+            }
+            (Step::Exhausted, Stage::Shorten(_)) => {
+                self.length_proved = true;
+                return Ok(true);
+            }
+            (Step::Exhausted, _) => {
+                self.bound = self.best.as_ref().map(|(counts, _)| counts.difference());
+                return Ok(self.length_proved || self.shorten(work));
+            }
+        }
+        Ok(false)
+    }
+
+    /// Begins to look for a shortest plan; true where there is nothing to look for.
+    fn shorten(&mut self, work: &mut Work) -> bool {
+        let Some((counts, plan)) = &self.best else { return true };
+        if self.horizon.is_some() || plan.is_empty() {
+            self.length_proved = true;
+            return true;
+        }
+        let actor = if work.estimates.pairs.is_some() { Actor::State } else { Actor::Word };
+        let way = Way {
+            actor,
+            order: Order::Length,
+            horizon: None,
+            dominance: true,
+            shorter_than: plan.len() as u32,
+            alone: None,
+        };
+        let search = Search::new(&work.space, way, counts.difference());
+        self.begin_stage(work, Stage::Shorten(search));
+        false
+    }
+
+    /// Changes the means of a long search for a shortest plan, or ends it.
+    fn go_on_shortening(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
+        let expansions = self.expansions - work.begun.0;
+        if !work.tried_pairs && expansions >= EXPANSIONS_BEFORE_PAIRS_SHORTEN {
+            return Ok(self.make_pairs(work)? && self.shorten(work));
+        }
+        Ok(expansions + work.space.touched - work.begun.1 > WORK_TO_SHORTEN)
+    }
+}
+
+impl Engine for Optimiser {
+    fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
+        let mut work = match self.work.take() {
+            Some(work) => work,
+            None => self.begin()?,
+        };
+        let mut done = Ok(false);
+        for _ in 0..budget {
+            done = self.step(&mut work);
+            if !matches!(done, Ok(false)) {
+                break;
+            }
+        }
+        self.work = Some(work);
+        Ok(if done? { Advance::Finished(self.finding()) } else { Advance::Working })
+    }
+
+    fn stop(&mut self, limit: LimitReached) -> Finding {
+        let plan = self.best.as_ref().map(|(_, plan)| plan.clone());
+        match plan {
+            Some(plan) if self.is_proved() => Finding {
+                length_proved: self.horizon.is_none().then_some(self.length_proved),
+                ..Finding::stopped_at_best(plan, limit)
+            },
+            plan => Finding::stopped(plan, limit),
+        }
+    }
+
+    fn report(&self, progress: &mut Progress) {
+        let most = self.problem.goals().len() as f64 - 1.0;
+        progress.bound = self.bound.map(|bound| bound as f64 / most);
+        if let Some((counts, plan)) = &self.best {
+            progress.goal_difference = Some(self.problem.goal_difference(*counts));
+            progress.plan = Some(plan.clone());
+        }
+    }
+
+    fn stats(&self) -> Stats {
+        let mut stats =
+            Stats { expansions: self.expansions, generated: self.generated, ..Stats::default() };
+        if let Some(work) = &self.work {
+            stats.generated += work.stage.search().len() as u64;
+            work.space.count(&mut stats);
+        }
+        stats
+    }
+}

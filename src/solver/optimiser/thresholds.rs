@@ -1,0 +1,48 @@
+//! Every threshold of the optimiser: unit, reason, effect. None changes what is proved; they decide
+//! what is tried first and when something dearer is worth a try.
+
+/// Expansions between two looks at the memory. An expansion of a large belief can take megabytes.
+pub(super) const EXPANSIONS_BETWEEN_CHECKS: u64 = 16;
+
+/// Expansions of the first search after which classes are asked for, where there are few states:
+/// most small problems are solved before.
+pub(super) const EXPANSIONS_BEFORE_CLASSES: u64 = 64;
+/// States listed for classes then: about a millisecond.
+pub(super) const STATES_OF_A_SMALL_SPACE: usize = 1_500;
+/// Expansions after which tables of pairs are made, which cost as much as some hundred expansions.
+pub(super) const EXPANSIONS_BEFORE_PAIRS: u64 = 256;
+/// Expansions after which the linear invariants are worked out: some milliseconds.
+pub(super) const EXPANSIONS_BEFORE_INVARIANTS: u64 = 512;
+/// Expansions after which classes are asked for whatever the size.
+pub(super) const EXPANSIONS_BEFORE_ALL_CLASSES: u64 = 4_096;
+/// States listed for classes at all: about a second.
+pub(super) const STATES_OF_CLASSES: usize = 60_000;
+
+/// States above which there are too many pairs: 4,096² bits are 2 MiB, one matrix.
+pub(super) const STATES_OF_PAIRS: usize = 4_096;
+/// Bytes that all tables of pairs may take together; also no more than a third of the memory limit.
+pub(super) const BYTES_OF_PAIRS: u64 = 96 << 20;
+/// Words of bit matrices gone through for a level of a table, at most: some milliseconds.
+pub(super) const WORDS_OF_A_LEVEL: u64 = 6_000_000;
+
+/// Expansions of the search for a shortest plan before tables of pairs are made for it.
+pub(super) const EXPANSIONS_BEFORE_PAIRS_SHORTEN: u64 = 256;
+/// Believed states gone through and nodes expanded in the search for a shortest plan, at most: a few
+/// tenths of a second. Above, the length of the plan stays unproved, and the outcome says so.
+pub(super) const WORK_TO_SHORTEN: u64 = 3_000_000;
+
+/// Nodes compared with a new one for dominance, the latest first, at most. What is not compared is
+/// kept: more nodes than need be, never fewer.
+pub(super) const NODES_COMPARED: usize = 256;
+
+/// Rounds of refinement of blocks, at most; blocks left too coarse are not used.
+pub(super) const ROUNDS_OF_BLOCKS: usize = 64;
+
+/// Multiplications of an elimination for invariants, at most: about a tenth of a second.
+pub(super) const WORK_OF_ELIMINATION: u64 = 20_000_000;
+/// Facts, operators and states of initial beliefs that invariants look at, at most.
+pub(super) const FACTS_OF_INVARIANTS: usize = 2_000;
+pub(super) const OPERATORS_OF_INVARIANTS: usize = 20_000;
+pub(super) const BELIEVED_OF_INVARIANTS: usize = 2_000;
+/// Different sums of one kind, at most.
+pub(super) const SUMS_OF_INVARIANTS: usize = 30_000;
