@@ -65,6 +65,8 @@ export interface Outcome {
   encoding?: EncodingName;
   horizon: number | null;
   plan: string[] | null;
+  /** What the plan costs, where the problem has costs. */
+  cost?: number;
   goals: ByObserver<string[]> | null;
   goal_difference: number | null;
   /** Of `exact` and `ip`: no plan can be better than `bound`, and the plan found is at most `gap` worse. */
@@ -123,7 +125,7 @@ export interface TraceStep {
   goal_difference: number;
 }
 
-export interface Trace { valid: boolean; steps: TraceStep[]; goal_difference: number }
+export interface Trace { valid: boolean; cost?: number; steps: TraceStep[]; goal_difference: number }
 
 /** A belief in numbers: what may hold, the most telling first, and in how many states each candidate goal holds. */
 export interface BeliefSummary {

@@ -65,7 +65,7 @@ pub fn run(args: &PlanArgs) -> Result<u8, CliError> {
 /// An answer without a plan and without a proof.
 fn stopped(limit: String, stats: PlanStats) -> (PlanReport, u8) {
     let limit = Some(limit);
-    (PlanReport { status: Status::Limit.name(), plan: None, limit, stats }, LIMIT)
+    (PlanReport { status: Status::Limit.name(), plan: None, cost: None, limit, stats }, LIMIT)
 }
 
 type Answer = Result<(PlanReport, u8), SolveError>;
@@ -98,14 +98,13 @@ fn plan(
     }
     let outcome = run.outcome()?;
     stats.search_seconds = begin.elapsed().as_secs_f64();
-    let names = outcome.plan.as_ref().map(|plan| plan.names(&task));
     let code = match outcome.status {
         Status::Infeasible => NO_PLAN,
-        _ if names.is_some() => 0,
+        _ if outcome.plan.is_some() => 0,
         Status::Limit => LIMIT,
         _ => BAD_INPUT,
     };
-    Ok((PlanReport::new(&outcome, names, stats), code))
+    Ok((PlanReport::new(&task, &outcome, stats), code))
 }
 
 fn line(step: &Step) -> String {
@@ -118,7 +117,10 @@ fn line(step: &Step) -> String {
 fn summary(report: &PlanReport) -> String {
     let stats = &report.stats;
     let answer = match (&report.plan, &report.limit) {
-        (Some(plan), _) => format!("{} actions", plan.len()),
+        (Some(plan), _) => match report.cost {
+            Some(cost) => format!("{} actions, cost {cost}", plan.len()),
+            None => format!("{} actions", plan.len()),
+        },
         (None, Some(limit)) => format!("{limit}; there may be a plan"),
         (None, None) => "there is no plan".to_owned(),
     };

@@ -86,7 +86,8 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
             Some(false) => " (a shorter one of this goal difference may exist)",
             _ => "",
         };
-        let _ = writeln!(text, "plan: {} actions{shorter}", plan.len());
+        let cost = report.cost.map_or_else(String::new, |cost| format!(", cost {cost}"));
+        let _ = writeln!(text, "plan: {} actions{cost}{shorter}", plan.len());
         if !plan.is_empty() {
             let _ = writeln!(text, "  {}", plan.join(", "));
         }

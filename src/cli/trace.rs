@@ -147,6 +147,10 @@ fn text(problem: &Problem, trace: &Trace) -> String {
     }
     let end = if trace.reaches_goal { "reaches" } else { "does not reach" };
     let goal = &problem.goals()[problem.true_goal()].name;
+    let actions = trace.steps.iter().filter_map(|step| step.action).collect();
+    if let Some(cost) = (Plan { actions }).cost(problem.task()) {
+        let _ = writeln!(text, "cost: {cost}");
+    }
     let _ = writeln!(text, "the plan {end} the true goal {goal}");
     let _ = writeln!(text, "goal difference: {:.3}", trace.goal_difference(problem));
     text

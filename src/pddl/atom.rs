@@ -1,5 +1,6 @@
 //! Atoms: a predicate with terms in the places of its parameters.
 
+use super::cost::Functions;
 use super::error::PddlError;
 use super::expression::{Expression, Expressions};
 use super::object::{ObjectId, Objects};
@@ -40,7 +41,8 @@ pub(super) struct Scope<'a> {
     pub types: &'a Types,
     pub predicates: &'a Predicates,
     pub objects: &'a Objects,
-    /// None outside of actions.
+    pub functions: &'a Functions,
+    /// None outside of actions and quantifiers.
     pub parameters: Option<&'a Parameters>,
 }
 
@@ -69,6 +71,14 @@ impl Scope<'_> {
         }
     }
 
+    /// Whether a term may be of these types.
+    pub(super) fn fits(&self, term: Term, wanted: &TypeSet) -> bool {
+        self.types_of(term).is_none_or(|found| match term {
+            Term::Object(_) => found.is_within(wanted),
+            Term::Parameter(_) => found.meets(wanted),
+        })
+    }
+
     /// An atom whose head has been read: arity and types are checked.
     pub(super) fn atom(
         &self,
@@ -86,11 +96,7 @@ impl Scope<'_> {
             let term = self.term(argument)?;
             // A parameter may be of a type that is wider than the predicate's; then only the
             // objects that fit can make the atom hold.
-            let fits = self.types_of(term).is_none_or(|found| match term {
-                Term::Object(_) => found.is_within(wanted),
-                Term::Parameter(_) => found.meets(wanted),
-            });
-            if !fits {
+            if !self.fits(term, wanted) {
                 let types = self.types_of(term).map(|types| self.types.written(types));
                 let found =
                     format!("{} of the type {}", argument.shown(), types.unwrap_or_default());

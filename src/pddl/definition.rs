@@ -4,6 +4,7 @@ use rustc_hash::FxHashSet;
 
 use super::atom::{Atom, Scope};
 use super::condition::Condition;
+use super::cost::{self, FunctionValues};
 use super::domain::{Domain, define, section};
 use super::error::PddlError;
 use super::expression::{Expression, Expressions, Tree};
@@ -23,6 +24,10 @@ pub struct TaskDefinition {
     pub objects: Objects,
     /// What holds in the beginning, sorted.
     pub initial: Vec<Atom>,
+    /// The values of the domain's functions.
+    pub values: FunctionValues,
+    /// Whether plans are to be cheap: there is a `:metric`. Otherwise costs do not count.
+    pub has_costs: bool,
     /// What must hold in the end.
     pub goal: Condition,
 }
@@ -55,17 +60,22 @@ pub fn read_task(domain: &Domain, text: &str) -> Result<TaskDefinition, PddlErro
 ///
 /// [`PddlError`] with the place of what is wrong or not supported.
 pub fn read_open_task(domain: &Domain, text: &str) -> Result<(TaskDefinition, bool), PddlError> {
-    const KNOWN: [&str; 6] = [":domain", ":requirements", ":objects", ":init", ":goal", ":length"];
+    const KNOWN: [&str; 7] =
+        [":domain", ":requirements", ":objects", ":init", ":goal", ":length", ":metric"];
     let tree = Tree::read(text)?;
     let (name, items) = define(&tree, "problem")?;
-    let mut sections: [Option<Expressions<'_>>; 6] = Default::default();
+    let mut sections: [Option<Expressions<'_>>; 7] = Default::default();
     for item in items {
-        const EXPECTED: &str = "a section: :domain, :requirements, :objects, :init or :goal";
+        const EXPECTED: &str =
+            "a section: :domain, :requirements, :objects, :init, :goal or :metric";
         let (head, items) = item.headed(EXPECTED)?;
+        if head.is(":metric") {
+            cost::metric(&domain.functions, item, items.clone())?;
+        }
         section(&mut sections, &KNOWN, (item, head, items), EXPECTED)?;
     }
     // The length is advice to planners of 1998.
-    let [of, requirements, objects, initial, goal, _length] = sections;
+    let [of, requirements, objects, initial, goal, _length, metric] = sections;
     let mut of = of.ok_or_else(|| tree.ends("(:domain …) in the task"))?;
     let of = match (of.next(), of.next()) {
         (Some(name), None) => name.name("the name of the domain")?,
@@ -76,8 +86,11 @@ pub fn read_open_task(domain: &Domain, text: &str) -> Result<(TaskDefinition, bo
     let mut all = domain.constants.clone();
     objects.map_or(Ok(()), |items| all.read(&domain.types, items))?;
     let scope = scope(domain, &all);
-    let initial =
-        initial.map_or_else(|| Ok(Vec::new()), |items| Ok(literals(&scope, items, true)?.0))?;
+    let mut values = FunctionValues::default();
+    let initial = match initial {
+        Some(items) => literals(&scope, items, true, Some(&mut values))?.0,
+        None => Vec::new(),
+    };
     let has_goal = goal.is_some();
     let goal = match goal.map(|mut goal| (goal.next(), goal.next())) {
         None => Condition::default(),
@@ -85,7 +98,9 @@ pub fn read_open_task(domain: &Domain, text: &str) -> Result<(TaskDefinition, bo
         Some((_, Some(more))) => return Err(more.expected("one condition in (:goal …)")),
         Some((None, None)) => return Err(tree.ends("a condition in (:goal …)")),
     };
-    Ok((TaskDefinition { name, domain: of, objects: all, initial, goal }, has_goal))
+    let has_costs = metric.is_some();
+    let task = TaskDefinition { name, domain: of, objects: all, initial, values, has_costs, goal };
+    Ok((task, has_goal))
 }
 
 /// Reads a ground condition over the objects of a task: a goal, a belief, what a sensor sees.
@@ -139,7 +154,7 @@ pub fn read_literals(
     text: &str,
 ) -> Result<(Vec<Atom>, Vec<Atom>), PddlError> {
     let tree = Tree::read(text)?;
-    literals(&scope(domain, &task.objects), tree.expressions(), true)
+    literals(&scope(domain, &task.objects), tree.expressions(), true, None)
 }
 
 /// Reads ground atoms, one after the other, as in `(on a b) (clear a)`. Sorted.
@@ -153,11 +168,17 @@ pub fn read_atoms(
     text: &str,
 ) -> Result<Vec<Atom>, PddlError> {
     let tree = Tree::read(text)?;
-    Ok(literals(&scope(domain, &task.objects), tree.expressions(), false)?.0)
+    Ok(literals(&scope(domain, &task.objects), tree.expressions(), false, None)?.0)
 }
 
 fn scope<'a>(domain: &'a Domain, objects: &'a Objects) -> Scope<'a> {
-    Scope { types: &domain.types, predicates: &domain.predicates, objects, parameters: None }
+    Scope {
+        types: &domain.types,
+        predicates: &domain.predicates,
+        objects,
+        functions: &domain.functions,
+        parameters: None,
+    }
 }
 
 /// Whether a number and a list come first, as behind the `at` of a timed initial literal. No atom
@@ -174,6 +195,7 @@ fn literals(
     scope: &Scope<'_>,
     items: Expressions<'_>,
     negation: bool,
+    mut values: Option<&mut FunctionValues>,
 ) -> Result<(Vec<Atom>, Vec<Atom>), PddlError> {
     const EXPECTED: &str = "an atom, as in (on a b)";
     let mut atoms = Vec::new();
@@ -193,6 +215,12 @@ fn literals(
         }
         let declared = |name: &str| scope.predicates.named(&name.to_ascii_lowercase()).is_some();
         if head.is("=") {
+            if let Some(values) = values.as_deref_mut()
+                && !scope.functions.is_empty()
+            {
+                values.read(scope, item, items)?;
+                continue;
+            }
             let found = format!("{}, which needs :action-costs or :numeric-fluents", item.shown());
             return Err(item.wrong(found, EXPECTED));
         }

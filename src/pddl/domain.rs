@@ -3,6 +3,7 @@
 use rustc_hash::FxHashSet;
 
 use super::atom::Scope;
+use super::cost::Functions;
 use super::error::PddlError;
 use super::expression::{Expression, Expressions, Tree};
 use super::feature::{check_requirements, unsupported};
@@ -22,6 +23,8 @@ pub struct Domain {
     pub constants: Objects,
     /// Its predicates.
     pub predicates: Predicates,
+    /// Its functions.
+    pub functions: Functions,
     /// Its actions, in the order of the text.
     pub schemas: Vec<Schema>,
 }
@@ -29,8 +32,10 @@ pub struct Domain {
 impl Domain {
     /// The predicates that actions change, by their numbers, some of them several times.
     pub fn changing(&self) -> impl Iterator<Item = usize> {
-        let effects = self.schemas.iter().map(|schema| &schema.effect);
-        let atoms = effects.flat_map(|effect| effect.positive.iter().chain(&effect.negative));
+        let atoms = self.schemas.iter().flat_map(|schema| {
+            let always = schema.effect.positive.iter().chain(&schema.effect.negative);
+            always.chain(schema.conditional.iter().map(|effect| &effect.atom))
+        });
         atoms.map(|atom| atom.predicate.index())
     }
 }
@@ -50,14 +55,14 @@ impl Domain {
 /// # Ok::<(), mo_copp::pddl::PddlError>(())
 /// ```
 pub fn read_domain(text: &str) -> Result<Domain, PddlError> {
-    const KNOWN: [&str; 4] = [":requirements", ":types", ":constants", ":predicates"];
+    const KNOWN: [&str; 5] = [":requirements", ":types", ":constants", ":predicates", ":functions"];
     let tree = Tree::read(text)?;
     let (name, items) = define(&tree, "domain")?;
-    let mut sections: [Option<Expressions<'_>>; 4] = Default::default();
+    let mut sections: [Option<Expressions<'_>>; 5] = Default::default();
     let mut actions = Vec::new();
     for item in items {
         const EXPECTED: &str =
-            "a section: :requirements, :types, :constants, :predicates or :action";
+            "a section: :requirements, :types, :constants, :predicates, :functions or :action";
         let (head, items) = item.headed(EXPECTED)?;
         if head.is(":action") {
             actions.push((item, items));
@@ -65,15 +70,22 @@ pub fn read_domain(text: &str) -> Result<Domain, PddlError> {
             section(&mut sections, &KNOWN, (item, head, items), EXPECTED)?;
         }
     }
-    let [requirements, types, constants, predicates] = sections;
+    let [requirements, types, constants, predicates, functions] = sections;
     requirements.map_or(Ok(()), check_requirements)?;
     let types = types.map_or_else(|| Ok(Types::untyped()), Types::read)?;
     let mut objects = Objects::default();
     constants.map_or(Ok(()), |items| objects.read(&types, items))?;
     let predicates = predicates
         .map_or_else(|| Ok(Predicates::default()), |items| Predicates::read(&types, items))?;
-    let scope =
-        Scope { types: &types, predicates: &predicates, objects: &objects, parameters: None };
+    let functions = functions
+        .map_or_else(|| Ok(Functions::default()), |items| Functions::read(&types, items))?;
+    let scope = Scope {
+        types: &types,
+        predicates: &predicates,
+        objects: &objects,
+        functions: &functions,
+        parameters: None,
+    };
     let mut names = FxHashSet::default();
     let mut schemas = Vec::with_capacity(actions.len());
     for (place, items) in actions {
@@ -84,7 +96,7 @@ pub fn read_domain(text: &str) -> Result<Domain, PddlError> {
         }
         schemas.push(schema);
     }
-    Ok(Domain { name, types, constants: objects, predicates, schemas })
+    Ok(Domain { name, types, constants: objects, predicates, functions, schemas })
 }
 
 /// `(define (KIND name) …)`: the name, and what follows.

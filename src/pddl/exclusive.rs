@@ -9,6 +9,7 @@ use fixedbitset::FixedBitSet;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::atom_table::AtomTable;
+use super::draft::{Case, Draft, Numbered, literals};
 use super::invariant::Candidate;
 use super::object::ObjectId;
 use super::operators::GroundOperator;
@@ -31,12 +32,13 @@ impl Exclusive {
         candidates: &[Candidate],
         atoms: &AtomTable,
         operators: &[GroundOperator],
+        drafts: &[Draft],
         initial: &[FixedBitSet],
     ) -> Self {
         let mut exclusive = Self { sets: Vec::new(), of_atom: vec![Vec::new(); atoms.len()] };
         let mut seen: FxHashSet<Vec<u32>> = FxHashSet::default();
         for candidate in candidates {
-            for set in proved(candidate, atoms, operators, initial) {
+            for set in proved(candidate, atoms, operators, drafts, initial) {
                 if set.len() > 1 && seen.insert(set.clone()) {
                     for &atom in &set {
                         exclusive.of_atom[atom as usize].push(exclusive.sets.len() as u32);
@@ -46,6 +48,11 @@ impl Exclusive {
             }
         }
         exclusive
+    }
+
+    /// The sets of an atom.
+    pub(super) fn sets_of(&self, atom: u32) -> &[u32] {
+        self.of_atom.get(atom as usize).map_or(&[], Vec::as_slice)
     }
 
     /// Whether two of these atoms, which are all different, can never hold together.
@@ -97,6 +104,7 @@ fn proved(
     candidate: &Candidate,
     atoms: &AtomTable,
     operators: &[GroundOperator],
+    drafts: &[Draft],
     initial: &[FixedBitSet],
 ) -> Vec<Vec<u32>> {
     let mut numbers: FxHashMap<Vec<ObjectId>, u32> = FxHashMap::default();
@@ -145,10 +153,64 @@ fn proved(
             }
         }
     }
+    for draft in drafts {
+        breaks(draft, &set_of, &mut fails);
+    }
     let mut number = 0;
     sets.retain(|_| {
         number += 1;
         !fails[number - 1]
     });
     sets
+}
+
+/// Notes the sets of which a draft may make two atoms hold. An effect that adds one of a set must require one of it,
+/// whether in the draft's precondition or in its own condition; that one must go, unless it is the one added; and
+/// effects that require the same one must add the same one.
+fn breaks(draft: &Draft, set_of: &[u32], fails: &mut [bool]) {
+    let mut required = (draft.positive.clone(), draft.negative.clone());
+    for formula in &draft.rest {
+        literals(formula, &mut required.0, &mut required.1);
+    }
+    let always: (&[u32], &[u32]) = (&draft.add, &draft.delete);
+    let cases = draft.cases.iter().map(|case| {
+        let mut known = required.clone();
+        literals(&case.condition, &mut known.0, &mut known.1);
+        (known, (case.add.as_slice(), case.delete.as_slice()))
+    });
+    // Of each set and the atom of it that held before, what is added.
+    let mut moves: FxHashMap<(u32, u32), u32> = FxHashMap::default();
+    for ((positive, negative), (add, delete)) in
+        std::iter::once((required.clone(), always)).chain(cases)
+    {
+        for &added in add {
+            let set = set_of[added as usize];
+            if set == NONE || fails[set as usize] {
+                continue;
+            }
+            let mut before = positive.iter().filter(|atom| set_of[**atom as usize] == set);
+            let Some(&held) = before.next() else {
+                fails[set as usize] = true;
+                continue;
+            };
+            // It requires two of the set: it never takes place.
+            if before.next().is_some() {
+                continue;
+            }
+            // What surely takes place along with it.
+            let along = |case: &&Case| {
+                case.condition.conjuncts().iter().all(|part| match part {
+                    Numbered::Atom(atom, true) => positive.contains(atom),
+                    Numbered::Atom(atom, false) => negative.contains(atom),
+                    _ => false,
+                })
+            };
+            let goes = held == added
+                || delete.contains(&held)
+                || draft.delete.contains(&held)
+                || draft.cases.iter().filter(along).any(|case| case.delete.contains(&held));
+            let other = moves.insert((set, held), added);
+            fails[set as usize] |= !goes || other.is_some_and(|other| other != added);
+        }
+    }
 }

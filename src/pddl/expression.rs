@@ -2,7 +2,8 @@
 //!
 //! A text becomes a flat list of nodes in the order in which they stand, so that neither reading nor
 //! dropping it recurses and a node takes 8 bytes. Comments run from `;` to the end of the line. A dash
-//! before a letter, as in `?x -block`, is a symbol of its own: no name begins with one.
+//! before a letter, as in `?x -block`, is a symbol of its own: no name begins with one. A question mark begins a symbol
+//! also without a blank before it, as in `(at aircraft?a)`, which other planners read so.
 
 use super::error::{PddlError, place, quoted};
 
@@ -83,7 +84,7 @@ impl<'a> Tree<'a> {
                 }
                 _ => {
                     let more = |byte: &&u8| {
-                        !matches!(**byte, b'(' | b')' | b';') && !byte.is_ascii_whitespace()
+                        !matches!(**byte, b'(' | b')' | b';' | b'?') && !byte.is_ascii_whitespace()
                     };
                     at += bytes[at..].iter().take_while(more).count();
                     nodes.push(Node { start: start as u32, end: at as u32 });
@@ -259,6 +260,7 @@ mod tests {
         assert_eq!(shape("x;y"), "x");
         assert_eq!(shape("(?x -b - a-b --c -(d) -1)"), "[?x.-.b.-.a-b.--c.-.[d.].-1.]");
         assert_eq!(shape("\u{feff}(x)"), "[x.]");
+        assert_eq!(shape("(at aircraft?a ?x?y)?"), "[at.aircraft.?a.?x.?y.]?");
     }
 
     #[test]

@@ -4,24 +4,32 @@ use super::error::PddlError;
 use super::expression::{Expression, Expressions};
 
 /// What is read, for errors.
-const READ: &str = "STRIPS with :typing, :equality and :negative-preconditions";
+const READ: &str = "what docs/pddl.md lists: STRIPS, :adl, :typing, :action-costs";
 
 /// The requirements that are met, and one that the STRIPS tasks of PSR (IPC 2004) declare without a
 /// `:derived`, which is refused where it stands.
-const MET: [&str; 5] =
-    [":strips", ":typing", ":equality", ":negative-preconditions", ":derived-predicates"];
+const MET: [&str; 13] = [
+    ":strips",
+    ":typing",
+    ":negation",
+    ":equality",
+    ":negative-preconditions",
+    ":disjunctive-preconditions",
+    ":existential-preconditions",
+    ":universal-preconditions",
+    ":quantified-preconditions",
+    ":conditional-effects",
+    ":adl",
+    ":action-costs",
+    ":derived-predicates",
+];
 
 /// Names the feature that a word of PDDL belongs to.
 const FEATURES: &[(&str, &str)] = &[
-    ("or", ":disjunctive-preconditions"),
-    ("imply", ":disjunctive-preconditions"),
-    ("exists", ":existential-preconditions"),
-    ("forall", ":universal-preconditions"),
-    ("when", ":conditional-effects"),
     ("preference", ":preferences"),
     ("oneof", ":non-deterministic"),
     ("probabilistic", ":probabilistic-effects"),
-    ("increase", ":action-costs"),
+    ("increase", ":action-costs in an effect"),
     ("decrease", ":numeric-fluents"),
     ("assign", ":numeric-fluents"),
     ("scale-up", ":numeric-fluents"),
@@ -31,8 +39,6 @@ const FEATURES: &[(&str, &str)] = &[
     ("<=", ":numeric-fluents"),
     (">=", ":numeric-fluents"),
     ("at", ":timed-initial-literals"),
-    (":functions", ":action-costs or :numeric-fluents"),
-    (":metric", ":action-costs or :numeric-fluents"),
     (":derived", ":derived-predicates"),
     (":axiom", ":derived-predicates"),
     (":constraints", ":constraints"),

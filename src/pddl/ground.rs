@@ -2,7 +2,8 @@
 //!
 //! What is kept is what can be reached when deletes are ignored. Atoms that hold in every reachable
 //! state are no facts of the ground task, nor are those that never hold. A negative precondition on
-//! an atom that may hold is compiled away by a fact for its negation.
+//! an atom that may hold is compiled away by a fact for its negation, disjunctions and conditional effects by
+//! several operators of one action (`draft`, `split`), disjunctions in goals by facts of their own (`derived`).
 
 use fixedbitset::FixedBitSet;
 use rustc_hash::FxHashMap;
@@ -12,13 +13,16 @@ use super::atom::Atom;
 use super::atom_table::AtomTable;
 use super::condition::Condition;
 use super::definition::TaskDefinition;
+use super::derived::{Derived, derive, regress};
 use super::domain::Domain;
+use super::draft::{Draft, remove_relaxed};
 use super::exclusive::Exclusive;
 use super::invariant::candidates;
 use super::object::ObjectId;
-use super::operators::{GroundOperator, Possible, keep_possible, operators};
+use super::operators::{GroundOperator, Operators, Possible, cost_of, keep_possible, operators};
 use super::reach::{object, reach};
 use super::rule::Rule;
+use super::split::split;
 use crate::task::{Action, Fact, State, Task, TaskBuilder};
 
 /// The most ground operators.
@@ -86,7 +90,8 @@ pub struct More {
 #[derive(Debug, Clone)]
 pub struct Grounded {
     /// The task. Its goal is that of the definition; where that can never hold, a fact that never
-    /// does. Each action has one operator, and both have the same number.
+    /// does. An action has several operators where its effects have conditions or its precondition
+    /// is no conjunction: one for each case, of which one applies in a state at most.
     pub task: Task,
     /// The facts of the goal; none where the goal can never hold.
     pub goal: Option<Vec<Fact>>,
@@ -98,6 +103,8 @@ pub struct Grounded {
     pub states: Vec<State>,
     instances: Vec<(u32, Box<[ObjectId]>)>,
     atoms: Vec<(Atom, bool)>,
+    /// How many predicates the domain has; what stands for a disjunction has a larger number.
+    predicates: usize,
 }
 
 impl Grounded {
@@ -121,9 +128,10 @@ impl Grounded {
     }
 
     /// The atom of a fact, and whether the fact is that it does not hold. None for the fact that
-    /// never holds.
+    /// never holds and for those that stand for a disjunction.
     pub fn atom(&self, fact: Fact) -> Option<(&Atom, bool)> {
-        self.atoms.get(fact.index()).map(|(atom, negated)| (atom, *negated))
+        let (atom, negated) = self.atoms.get(fact.index())?;
+        (atom.predicate.index() < self.predicates).then_some((atom, *negated))
     }
 }
 
@@ -161,7 +169,14 @@ pub fn ground(
         std::iter::once(&task.initial).chain(&more.states).map(Vec::as_slice).collect();
     let initial: Vec<&Atom> = states.iter().copied().flatten().collect();
     let reached = reach(domain, &rules, &task.objects, &initial)?;
-    let (atoms, mut operators) = operators(&rules, reached)?;
+    let Operators { mut atoms, mut operators, mut drafts } =
+        operators(domain, task, &rules, reached)?;
+    let conditions: Vec<&Condition> = std::iter::once(&task.goal).chain(&more.conditions).collect();
+    let (derived, conditions) = derive(&conditions, domain.predicates.len(), &mut atoms);
+    if atoms.len() > MAX_ATOMS {
+        return Err(GroundError::Atoms { limit: MAX_ATOMS });
+    }
+    regress(&derived, &mut operators, &mut drafts);
     if states.len().saturating_mul(atoms.len().div_ceil(8)) > MAX_STATE_BYTES {
         return Err(GroundError::States { limit: MAX_STATE_BYTES });
     }
@@ -170,21 +185,30 @@ pub fn ground(
         .map(|state| {
             let mut set = FixedBitSet::with_capacity(atoms.len());
             set.extend(state.iter().filter_map(|atom| atoms.find_atom(atom)).map(|n| n as usize));
+            for Derived { atom, formula } in &derived {
+                let holds = formula.holds(&|atom| set.contains(*atom as usize));
+                set.set(*atom as usize, holds);
+            }
             set
         })
         .collect();
+    drafts.iter().for_each(|draft| draft.relaxed(&mut operators));
     let mut possible = keep_possible(&mut operators, atoms.len(), &initial);
+    remove_relaxed(&mut operators);
+    let drafts: Vec<Draft> =
+        drafts.into_iter().filter_map(|draft| draft.possible(&possible)).collect();
     let candidates = candidates(domain, &rules);
-    let exclusive = Exclusive::new(&candidates, &atoms, &operators, &initial);
+    let exclusive = Exclusive::new(&candidates, &atoms, &operators, &drafts, &initial);
     let known = operators.len();
+    split(&drafts, &exclusive, &mut operators)?;
     operators.retain(|operator| !exclusive.contradict(&operator.positive));
-    if operators.len() < known {
+    if operators.len() != known || !drafts.is_empty() {
         possible = keep_possible(&mut operators, atoms.len(), &initial);
     }
     let key =
         |operator: &GroundOperator| (operator.instance.rule, operator.instance.values.clone());
     operators.sort_by_cached_key(key);
-    let conditions: Vec<&Condition> = std::iter::once(&task.goal).chain(&more.conditions).collect();
+    let conditions: Vec<&Condition> = conditions.iter().collect();
     let facts = Facts::new(&atoms, &possible, &exclusive, &operators, &conditions);
     facts.task(domain, task, &rules, &operators, &initial, &conditions)
 }
@@ -286,7 +310,11 @@ impl<'a> Facts<'a> {
         let mut facts = Vec::with_capacity(self.literals.len());
         for &(atom, negated) in &self.literals {
             let (predicate, objects) = self.atoms.get(atom);
-            let mut name = "(".to_owned() + domain.predicates.name(predicate);
+            let mut name = "(".to_owned();
+            match predicate.index().checked_sub(domain.predicates.len()) {
+                None => name += domain.predicates.name(predicate),
+                Some(number) => name += &format!("disjunction {}", number + 1),
+            }
             for &object in objects {
                 name.push(' ');
                 name.push_str(definition.objects.name(object));
@@ -304,6 +332,7 @@ impl<'a> Facts<'a> {
         };
         let mut instances = Vec::with_capacity(operators.len());
         let [mut pre, mut add, mut delete] = [const { Vec::new() }; 3];
+        let mut several = false;
         for operator in operators {
             pre.clear();
             add.clear();
@@ -326,13 +355,30 @@ impl<'a> Facts<'a> {
                 name.push_str(definition.objects.name(argument));
             }
             name.push(')');
+            let action = builder.action(&name);
             builder.operator(&name, &pre, &add, &delete);
+            if action.index() < instances.len() {
+                several = true;
+                continue;
+            }
+            if definition.has_costs {
+                let cost = cost_of(domain, definition, rule, &operator.instance);
+                builder.cost(action, cost.unwrap_or(0));
+            }
             instances.push((rule.schema as u32, arguments));
         }
         for set in self.exclusive.chosen(|atom| self.numbers.contains_key(&(atom, false))) {
             let mut group = Vec::with_capacity(set.len());
             numbers(&set, false, &mut group);
             builder.exclusive(group);
+        }
+        // The cases of an action exclude each other by what must hold in one and fail in another.
+        for (&literal, &fact) in self.literals.iter().zip(&facts).filter(|_| several) {
+            if let ((atom, true), Some(&number)) = (literal, self.numbers.get(&(literal.0, false)))
+            {
+                debug_assert_eq!(self.literals[number].0, atom);
+                builder.exclusive(vec![facts[number], fact]);
+            }
         }
         let mut meanings = conditions
             .iter()
@@ -362,6 +408,16 @@ impl<'a> Facts<'a> {
             })
         };
         let states = states[1..].iter().map(pack).collect::<Result<_, _>>()?;
-        Ok(Grounded { goal, conditions: meanings_left, never, states, instances, atoms, task })
+        let predicates = domain.predicates.len();
+        Ok(Grounded {
+            goal,
+            conditions: meanings_left,
+            never,
+            states,
+            instances,
+            atoms,
+            predicates,
+            task,
+        })
     }
 }

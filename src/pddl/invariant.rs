@@ -42,6 +42,8 @@ enum Verdict {
 
 /// The candidates that pass, in the order in which they are found.
 pub(super) fn candidates(domain: &Domain, rules: &[Rule<'_>]) -> Vec<Candidate> {
+    let guesses: Vec<Rule<'_>> = rules.iter().flat_map(Rule::guesses).collect();
+    let rules: Vec<&Rule<'_>> = rules.iter().chain(&guesses).collect();
     let mut changes = vec![false; domain.predicates.len()];
     for atom in rules.iter().flat_map(|rule| &rule.add) {
         changes[atom.predicate.index()] = true;

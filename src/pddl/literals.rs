@@ -1,14 +1,10 @@
-//! Conjunctions of literals, in preconditions, effects and goals.
+//! Conjunctions of literals, in preconditions and effects.
 
-use super::atom::{LiftedAtom, Scope, Term};
-use super::error::PddlError;
-use super::expression::Expression;
-use super::feature::unsupported;
+use super::atom::{LiftedAtom, Term};
+use super::formula::Formula;
 
 /// The most literals in a precondition or an effect of an action.
 pub const MAX_LITERALS: usize = 1000;
-
-const EXPECTED: &str = "a literal, as in (on ?x ?y) or (not (on ?x ?y)), or (and …)";
 
 /// A conjunction of literals.
 #[derive(Debug, Clone, Default)]
@@ -34,107 +30,27 @@ impl Literals {
         self.len() == 0
     }
 
-    /// Reads a condition. `()` and `(and)` are the empty one.
-    pub(super) fn condition(scope: &Scope<'_>, place: Expression<'_>) -> Result<Self, PddlError> {
-        let mut literals = Self::default();
-        literals.conjunction(scope, place, true)?;
-        literals.check_size(scope, place)?;
-        Ok(literals)
-    }
-
-    /// Reads an effect: `positive` is added, `negative` deleted.
-    pub(super) fn effect(scope: &Scope<'_>, place: Expression<'_>) -> Result<Self, PddlError> {
-        let mut literals = Self::default();
-        literals.conjunction(scope, place, false)?;
-        literals.check_size(scope, place)?;
-        Ok(literals)
-    }
-
-    fn check_size(&self, scope: &Scope<'_>, place: Expression<'_>) -> Result<(), PddlError> {
-        if scope.parameters.is_some() && self.len() > MAX_LITERALS {
-            return Err(place.wrong(format!("{} literals", self.len()), at_most()));
-        }
-        Ok(())
-    }
-
-    /// Recurses as deep as parentheses are nested, which is bounded.
-    fn conjunction(
-        &mut self,
-        scope: &Scope<'_>,
-        place: Expression<'_>,
-        equality: bool,
-    ) -> Result<(), PddlError> {
-        if place.list().is_some_and(|mut items| items.next().is_none()) {
-            return Ok(());
-        }
-        let (head, mut items) = place.headed(EXPECTED)?;
-        if head.is("and") {
-            return items.try_for_each(|item| self.conjunction(scope, item, equality));
-        }
-        if !head.is("not") {
-            return self.literal(scope, place, false, equality);
-        }
-        let (Some(negated), None) = (items.next(), items.next()) else {
-            return Err(place.expected("(not …) with one atom"));
-        };
-        let (head, _) = negated.headed("an atom")?;
-        if head.is("and") {
-            return Err(place.wrong(
-                "(not (and …)), which needs :disjunctive-preconditions",
-                "a literal of its own for each atom",
-            ));
-        }
-        if head.is("not") {
-            return Err(negated.expected("an atom"));
-        }
-        self.literal(scope, negated, true, equality)
-    }
-
-    fn literal(
-        &mut self,
-        scope: &Scope<'_>,
-        place: Expression<'_>,
-        negated: bool,
-        equality: bool,
-    ) -> Result<(), PddlError> {
-        let (head, mut items) = place.headed(EXPECTED)?;
-        if head.is("=") {
-            if !equality {
-                return Err(place.expected("an effect, which cannot make things equal"));
+    /// Takes the literals out of a conjunction; what is none is added to `rest`.
+    pub(super) fn take(&mut self, formula: Formula, rest: &mut Vec<Formula>) {
+        match formula {
+            Formula::And(parts) => parts.into_iter().for_each(|part| self.take(part, rest)),
+            Formula::Atom(atom, true) => self.positive.push(atom),
+            Formula::Atom(atom, false) => self.negative.push(atom),
+            Formula::Equal(one, other, true) => self.equal.push((one, other)),
+            Formula::Equal(one, other, false) => self.unequal.push((one, other)),
+            Formula::Or(mut parts) if parts.len() == 1 => {
+                parts.drain(..).for_each(|part| self.take(part, rest));
             }
-            let (Some(one), Some(other), None) = (items.next(), items.next(), items.next()) else {
-                return Err(place.expected("(= …) with two arguments"));
-            };
-            for side in [one, other] {
-                if side.list().is_some() {
-                    let found = format!("{}, which needs :numeric-fluents", place.shown());
-                    return Err(place.wrong(found, "objects and variables in an equality"));
-                }
-            }
-            let pair = (scope.term(one)?, scope.term(other)?);
-            if negated {
-                self.unequal.push(pair);
-            } else {
-                self.equal.push(pair);
-            }
-            return Ok(());
+            Formula::Forall(variables, body) => match *body {
+                // All of a conjunction is the conjunction of all.
+                Formula::And(parts) => rest.extend(
+                    parts
+                        .into_iter()
+                        .map(|part| Formula::Forall(variables.clone(), Box::new(part))),
+                ),
+                body => rest.push(Formula::Forall(variables, Box::new(body))),
+            },
+            other => rest.push(other),
         }
-        let declared = |name: &str| scope.predicates.named(&name.to_ascii_lowercase()).is_some();
-        if !head.symbol().is_some_and(declared)
-            && let Some(error) = unsupported(place, head)
-        {
-            return Err(error);
-        }
-        let atom = scope.atom(place, head, items)?;
-        if negated {
-            self.negative.push(atom);
-        } else {
-            self.positive.push(atom);
-        }
-        Ok(())
     }
-}
-
-fn at_most() -> String {
-    format!("at most {MAX_LITERALS} in one action")
 }

@@ -3,11 +3,15 @@
 
 use fixedbitset::FixedBitSet;
 
-use super::atom::LiftedAtom;
+use super::atom::{LiftedAtom, Term};
 use super::atom_table::AtomTable;
+use super::definition::TaskDefinition;
+use super::domain::Domain;
+use super::draft::Draft;
 use super::ground::{GroundError, MAX_LITERALS_IN_ALL};
+use super::join::MAX_JOIN_STEPS;
 use super::object::ObjectId;
-use super::reach::{Instance, Reached, instantiate};
+use super::reach::{Instance, Reached, instantiate, may_change, object};
 use super::rule::Rule;
 
 /// An operator; atoms are numbers in the [`AtomTable`].
@@ -21,6 +25,14 @@ pub(super) struct GroundOperator {
     pub delete: Vec<u32>,
 }
 
+/// Atoms, the operators over them, and drafts of more.
+#[derive(Debug)]
+pub(super) struct Operators {
+    pub atoms: AtomTable,
+    pub operators: Vec<GroundOperator>,
+    pub drafts: Vec<Draft>,
+}
+
 /// What can hold and what can be false in some reachable state, deletes and adds ignored in turn.
 #[derive(Debug)]
 pub(super) struct Possible {
@@ -31,10 +43,15 @@ pub(super) struct Possible {
 /// The operators of the instances reached, those left out whose preconditions contradict
 /// themselves.
 pub(super) fn operators(
+    domain: &Domain,
+    task: &TaskDefinition,
     rules: &[Rule<'_>],
     reached: Reached,
-) -> Result<(AtomTable, Vec<GroundOperator>), GroundError> {
+) -> Result<Operators, GroundError> {
     let Reached { atoms, instances, .. } = reached;
+    let may_change = may_change(domain);
+    let mut drafts = Vec::new();
+    let mut budget = MAX_JOIN_STEPS;
     let mut operators = Vec::with_capacity(instances.len());
     let mut literals = 0;
     let mut objects = Vec::new();
@@ -59,13 +76,44 @@ pub(super) fn operators(
         if negative.iter().any(|atom| positive.binary_search(atom).is_ok()) {
             continue;
         }
+        let cost = &domain.schemas[rule.schema].cost;
+        // An action whose cost has no value cannot be taken.
+        if task.has_costs && !cost.is_empty() && cost_of(domain, task, rule, &instance).is_none() {
+            continue;
+        }
         literals += positive.len() + negative.len() + add.len() + delete.len();
         if literals > MAX_LITERALS_IN_ALL {
             return Err(GroundError::Literals { limit: MAX_LITERALS_IN_ALL });
         }
-        operators.push(GroundOperator { instance, positive, negative, add, delete });
+        let arguments = (!rule.is_plain()).then(|| rule.arguments_of(&instance.values));
+        let operator = GroundOperator { instance, positive, negative, add, delete };
+        let Some(arguments) = arguments else {
+            operators.push(operator);
+            continue;
+        };
+        let known = (&task.objects, &atoms);
+        let draft = Draft::new(operator, rule, arguments, &may_change, known, &mut budget)?;
+        literals += draft.size();
+        if literals > MAX_LITERALS_IN_ALL {
+            return Err(GroundError::Literals { limit: MAX_LITERALS_IN_ALL });
+        }
+        drafts.push(draft);
     }
-    Ok((atoms, operators))
+    Ok(Operators { atoms, operators, drafts })
+}
+
+/// What an instance costs; none where a function has no value.
+pub(super) fn cost_of(
+    domain: &Domain,
+    task: &TaskDefinition,
+    rule: &Rule<'_>,
+    instance: &Instance,
+) -> Option<u64> {
+    let object = |term: Term| match term {
+        Term::Object(object) => object,
+        Term::Parameter(position) => object(rule.arguments[position as usize], &instance.values),
+    };
+    task.values.cost(&domain.schemas[rule.schema].cost, object)
 }
 
 /// Keeps the operators that can apply when an atom, once it has held, may hold again, and once it

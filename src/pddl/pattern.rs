@@ -7,13 +7,14 @@
 
 use std::sync::Arc;
 
-use super::atom::{Atom, LiftedAtom, Scope, Term, arguments_of};
+use super::atom::{Scope, arguments_of};
 use super::condition::Condition;
 use super::definition::TaskDefinition;
 use super::domain::Domain;
 use super::error::PddlError;
 use super::expression::{Expression, Tree};
-use super::literals::Literals;
+use super::formula::Formula;
+use super::literals::MAX_LITERALS;
 use super::object::ObjectId;
 use super::schema::{Parameters, Schema};
 use super::types::{TypeSet, Typed, some, typed_list};
@@ -253,39 +254,34 @@ impl Pattern {
         domain: &Domain,
         task: &TaskDefinition,
         text: &str,
-    ) -> Result<Literals, PddlError> {
+    ) -> Result<Formula, PddlError> {
         let scope = Scope {
             types: &domain.types,
             predicates: &domain.predicates,
             objects: &task.objects,
+            functions: &domain.functions,
             parameters: Some(&self.variables),
         };
         let tree = Tree::read(text)?;
-        Literals::condition(&scope, tree.only("a condition, as in (and (on ?x ?y) (clear ?x))")?)
+        let whole = tree.only("a condition, as in (and (on ?x ?y) (clear ?x))")?;
+        let formula = Formula::read(&scope, whole)?;
+        if formula.len() > MAX_LITERALS {
+            let found = format!("{} literals", formula.len());
+            return Err(whole.wrong(found, format!("at most {MAX_LITERALS} in one condition")));
+        }
+        Ok(formula)
     }
 
-    /// What such a condition says for an operator that matches.
-    pub fn condition(&self, literals: &Literals, objects: &[ObjectId]) -> Condition {
-        let object = |term: Term| match term {
-            Term::Object(object) => object,
-            Term::Parameter(variable) => objects[self.places[variable as usize]],
-        };
-        let all = |atoms: &[LiftedAtom]| {
-            let atom = |atom: &LiftedAtom| Atom {
-                predicate: atom.predicate,
-                objects: atom.terms.iter().map(|&term| object(term)).collect(),
-            };
-            let mut atoms: Vec<Atom> = atoms.iter().map(atom).collect();
-            atoms.sort_unstable();
-            atoms.dedup();
-            atoms
-        };
-        let same = |&(one, other): &(Term, Term)| object(one) == object(other);
-        Condition {
-            positive: all(&literals.positive),
-            negative: all(&literals.negative),
-            is_false: !literals.equal.iter().all(same) || literals.unequal.iter().any(same),
-        }
+    /// What such a condition says for an operator that matches; none where that is too much once its quantifiers
+    /// are expanded.
+    pub fn condition(
+        &self,
+        task: &TaskDefinition,
+        formula: &Formula,
+        objects: &[ObjectId],
+    ) -> Option<Condition> {
+        let values: Vec<ObjectId> = self.places.iter().map(|&place| objects[place]).collect();
+        Condition::of(formula, &task.objects, &values)
     }
 }
 

@@ -9,8 +9,10 @@ use super::atom::{Atom, LiftedAtom, Term};
 use super::atom_table::AtomTable;
 use super::domain::Domain;
 use super::ground::{GroundError, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS};
-use super::join::{Found, Index, Join};
+use super::ground_formula::{Expansion, GroundFormula};
+use super::join::{Found, Index, Join, MAX_JOIN_STEPS};
 use super::object::{ObjectId, Objects};
+use super::predicate::PredicateId;
 use super::rule::Rule;
 
 /// A rule with values for its slots.
@@ -27,6 +29,15 @@ pub(super) struct Reached {
     pub instances: Vec<Instance>,
     /// Literals of all instances, at least.
     literals: usize,
+    /// Atoms and equalities that conditions may still be tried on.
+    budget: u64,
+}
+
+/// For each predicate whether any action adds or deletes its atoms.
+pub(super) fn may_change(domain: &Domain) -> Vec<bool> {
+    let mut changes = vec![false; domain.predicates.len()];
+    domain.changing().for_each(|predicate| changes[predicate] = true);
+    changes
 }
 
 /// The object that a term of a rule stands for.
@@ -54,6 +65,9 @@ pub(super) fn reach(
     for atom in rules.iter().flat_map(|rule| &rule.add) {
         changes[atom.predicate.index()] = true;
     }
+    for effect in rules.iter().flat_map(|rule| rule.conditional).filter(|effect| effect.add) {
+        changes[effect.atom.predicate.index()] = true;
+    }
     let (fluent, fixed): (Vec<&Atom>, Vec<&Atom>) =
         initial.iter().partition(|atom| changes[atom.predicate.index()]);
     let mut atoms = AtomTable::new();
@@ -80,7 +94,15 @@ pub(super) fn reach(
     }
     let mut steps = 0;
     let mut found = Found::default();
-    let mut reached = Reached { atoms, instances: Vec::new(), literals: 0 };
+    let may_change = may_change(domain);
+    let mut reached = Reached { atoms, instances: Vec::new(), literals: 0, budget: MAX_JOIN_STEPS };
+    let take = |reached: &mut Reached, number: usize, found: &mut Found| {
+        if rules[number].is_plain() {
+            reached.take(number, &rules[number], found)
+        } else {
+            reached.take_cases(number, &rules[number], found, objects, &may_change)
+        }
+    };
     for (number, rule) in rules.iter().enumerate() {
         if rule.positive.iter().all(|atom| !changes[atom.predicate.index()]) {
             let mut join = Join {
@@ -96,7 +118,7 @@ pub(super) fn reach(
                 found: &mut found,
             };
             join.rest()?;
-            reached.take(number, rule, &mut found)?;
+            take(&mut reached, number, &mut found)?;
         }
     }
     let mut next = fixed_count;
@@ -118,7 +140,7 @@ pub(super) fn reach(
                 found: &mut found,
             };
             join.start()?;
-            reached.take(number, rule, &mut found)?;
+            take(&mut reached, number, &mut found)?;
         }
         next += 1;
     }
@@ -126,6 +148,68 @@ pub(super) fn reach(
 }
 
 impl Reached {
+    /// Takes up instances of a rule with further conditions, as far as what never changes lets these hold, and what
+    /// they can add.
+    fn take_cases(
+        &mut self,
+        number: usize,
+        rule: &Rule<'_>,
+        found: &mut Found,
+        objects: &Objects,
+        may_change: &[bool],
+    ) -> Result<(), GroundError> {
+        let width = rule.slots.len();
+        let mut kept = Found::default();
+        let mut added: Vec<(PredicateId, Vec<ObjectId>)> = Vec::new();
+        for instance in 0..found.count {
+            let values = &found.values[instance * width..][..width];
+            let atoms = &self.atoms;
+            // What may change is left open.
+            let atom = |predicate: PredicateId, objects: &[ObjectId], holds: bool| {
+                if may_change[predicate.index()] {
+                    GroundFormula::Atom((), holds)
+                } else {
+                    GroundFormula::constant(atoms.find(predicate, objects).is_some() == holds)
+                }
+            };
+            let values_of = rule.arguments_of(values);
+            let mut expansion = Expansion { objects, values: values_of, budget: &mut self.budget };
+            let fits = (|| {
+                for formula in rule.rest {
+                    if expansion.formula(formula, &atom)?.value() == Some(false) {
+                        return Some(false);
+                    }
+                }
+                for effect in rule.conditional.iter().filter(|effect| effect.add) {
+                    expansion.for_all(&effect.variables, &mut |expansion| {
+                        let condition = expansion.formula(&effect.condition, &atom)?;
+                        if condition.value() != Some(false) {
+                            let terms = effect.atom.terms.iter();
+                            let objects = terms.map(|&term| expansion.object(term)).collect();
+                            added.push((effect.atom.predicate, objects));
+                        }
+                        Some(true)
+                    })?;
+                }
+                Some(true)
+            })();
+            if fits.ok_or(GroundError::Steps { limit: MAX_JOIN_STEPS })? {
+                kept.count += 1;
+                kept.values.extend_from_slice(values);
+            }
+            self.literals += added.len();
+            for (predicate, objects) in added.drain(..) {
+                self.atoms.intern(predicate, &objects);
+            }
+            if self.atoms.len() > MAX_ATOMS {
+                return Err(GroundError::Atoms { limit: MAX_ATOMS });
+            }
+        }
+        found.count = 0;
+        found.values.clear();
+        self.take(number, rule, &mut kept)
+    }
+
     /// Takes up instances and what they add.
     fn take(
         &mut self,

@@ -2,7 +2,10 @@
 
 use super::atom::{LiftedAtom, Term};
 use super::domain::Domain;
+use super::effect::ConditionalEffect;
+use super::formula::Formula;
 use super::object::{ObjectId, Objects};
+use super::reach::object;
 use super::schema::Schema;
 use super::types::TypeSet;
 
@@ -23,6 +26,10 @@ pub(super) struct Rule<'a> {
     pub add: Vec<LiftedAtom>,
     /// What is also added is left out where that can be seen here.
     pub delete: Vec<LiftedAtom>,
+    /// What else must hold before, over the parameters of the schema.
+    pub rest: &'a [Formula],
+    /// Effects under conditions or for all objects, over the parameters of the schema.
+    pub conditional: &'a [ConditionalEffect],
     /// For each slot in no positive precondition, the objects of its types.
     pub free: Vec<(u32, Vec<ObjectId>)>,
 }
@@ -82,12 +89,67 @@ impl<'a> Rule<'a> {
             unequal,
             add,
             delete,
+            rest: &schema.rest,
+            conditional: &schema.conditional,
             free: Vec::new(),
             positive,
             arguments,
         };
         rule.free = rule.free_slots(objects);
         Some(rule)
+    }
+
+    /// Whether it is one of STRIPS.
+    pub(super) fn is_plain(&self) -> bool {
+        self.rest.is_empty() && self.conditional.is_empty()
+    }
+
+    /// The objects in the places of the schema's parameters.
+    pub(super) fn arguments_of(&self, values: &[ObjectId]) -> Vec<ObjectId> {
+        self.arguments.iter().map(|&term| object(term, values)).collect()
+    }
+
+    /// For each conditional effect that adds an atom a rule that adds it always, with further slots for its
+    /// variables: good enough to guess invariants from.
+    pub(super) fn guesses(&self) -> Vec<Self> {
+        let count = self.slots.len() as u32;
+        let parameters = self.arguments.len() as u32;
+        let slot = |term: &Term| match *term {
+            Term::Parameter(position) if position < parameters => self.arguments[position as usize],
+            Term::Parameter(position) => Term::Parameter(count + position - parameters),
+            object @ Term::Object(_) => object,
+        };
+        let lifted = |atom: &LiftedAtom| LiftedAtom {
+            predicate: atom.predicate,
+            terms: atom.terms.iter().map(slot).collect(),
+        };
+        let deleted = self.conditional.iter().filter(|effect| !effect.add);
+        let deleted: Vec<LiftedAtom> = deleted.map(|effect| lifted(&effect.atom)).collect();
+        let guess = |effect: &ConditionalEffect| {
+            let mut positive = self.positive.clone();
+            if let Formula::And(parts) = &effect.condition {
+                let mut literals = super::literals::Literals::default();
+                let mut rest = Vec::new();
+                parts.iter().cloned().for_each(|part| literals.take(part, &mut rest));
+                positive.extend(literals.positive.iter().map(lifted));
+            }
+            let variables = effect.variables.iter().map(|(position, _)| *position + 1).max();
+            let more = variables.unwrap_or(parameters) - parameters;
+            Self {
+                schema: self.schema,
+                arguments: self.arguments.clone(),
+                slots: vec![Vec::new(); (count + more) as usize],
+                positive,
+                negative: Vec::new(),
+                unequal: Vec::new(),
+                add: vec![lifted(&effect.atom)],
+                delete: self.delete.iter().chain(&deleted).cloned().collect(),
+                rest: &[],
+                conditional: &[],
+                free: Vec::new(),
+            }
+        };
+        self.conditional.iter().filter(|effect| effect.add).map(guess).collect()
     }
 
     fn free_slots(&self, objects: &Objects) -> Vec<(u32, Vec<ObjectId>)> {

@@ -5,10 +5,13 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use super::atom::Scope;
+use super::cost::CostTerm;
+use super::effect::{ConditionalEffect, Effects};
 use super::error::PddlError;
 use super::expression::{Expression, Expressions};
 use super::feature::unsupported;
-use super::literals::Literals;
+use super::formula::Formula;
+use super::literals::{Literals, MAX_LITERALS};
 use super::types::{TypeSet, Types, some};
 
 /// The most parameters of an action.
@@ -100,13 +103,24 @@ pub struct Schema {
     pub name: String,
     /// Its parameters.
     pub parameters: Parameters,
-    /// What must hold before.
+    /// The literals that must hold before.
     pub precondition: Literals,
-    /// What is added (positive) and deleted (negative). What is both is added.
+    /// What else must hold before: disjunctions and quantified formulas.
+    pub rest: Vec<Formula>,
+    /// What is added (positive) and deleted (negative) always. What is both is added.
     pub effect: Literals,
+    /// What is added and deleted under a condition or for all objects.
+    pub conditional: Vec<ConditionalEffect>,
+    /// What it costs: the sum of these.
+    pub cost: Vec<CostTerm>,
 }
 
 impl Schema {
+    /// Whether it is one of STRIPS: nothing but literals, and effects that it always has.
+    pub fn is_plain(&self) -> bool {
+        self.rest.is_empty() && self.conditional.is_empty()
+    }
+
     /// Reads what follows `:action`. The scope is that of the domain, without parameters.
     pub(super) fn read(
         scope: &Scope<'_>,
@@ -139,11 +153,26 @@ impl Schema {
             None => Parameters::default(),
         };
         let scope = Scope { parameters: Some(&parameters), ..*scope };
-        let read = |place: Option<Expression<'_>>, how: fn(&Scope<'_>, Expression<'_>) -> _| {
-            place.map_or_else(|| Ok(Literals::default()), |place| how(&scope, place))
+        let size = |place: Expression<'_>, size: usize| {
+            if size > MAX_LITERALS {
+                let expected = format!("at most {MAX_LITERALS} in one action");
+                return Err(place.wrong(format!("{size} literals"), expected));
+            }
+            Ok(())
         };
-        let precondition = read(precondition, Literals::condition)?;
-        let effect = read(effect, Literals::effect)?;
-        Ok(Self { name, parameters, precondition, effect })
+        let mut literals = Literals::default();
+        let mut rest = Vec::new();
+        let mut effects = Effects::default();
+        if let Some(place) = precondition {
+            let formula = Formula::read(&scope, place)?;
+            size(place, formula.len())?;
+            literals.take(formula, &mut rest);
+        }
+        if let Some(place) = effect {
+            effects = Effects::read(&scope, place)?;
+            size(place, effects.len())?;
+        }
+        let Effects { always: effect, conditional, cost } = effects;
+        Ok(Self { name, parameters, precondition: literals, rest, effect, conditional, cost })
     }
 }

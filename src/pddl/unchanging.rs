@@ -6,7 +6,8 @@ use super::atom::Atom;
 use super::definition::TaskDefinition;
 use super::domain::Domain;
 use super::ground::GroundError;
-use super::reach::{instantiate, reach};
+use super::operators::{Operators, operators};
+use super::reach::reach;
 use super::rule::Rule;
 
 /// The atoms of the initial state that no operator adds or deletes which can apply after the
@@ -37,17 +38,16 @@ pub fn unchanging(
         .collect();
     let initial: Vec<&Atom> = task.initial.iter().chain(more).collect();
     let reached = reach(domain, &rules, &task.objects, &initial)?;
-    let mut changed = FxHashSet::default();
-    let mut objects = Vec::new();
-    for instance in &reached.instances {
-        let rule = &rules[instance.rule as usize];
-        for atom in rule.add.iter().chain(&rule.delete) {
-            instantiate(atom, &instance.values, &mut objects);
-            changed.extend(reached.atoms.find(atom.predicate, &objects));
-        }
+    let Operators { atoms, operators, drafts } = operators(domain, task, &rules, reached)?;
+    let mut changed: FxHashSet<u32> = FxHashSet::default();
+    for operator in &operators {
+        changed.extend(operator.add.iter().chain(&operator.delete));
     }
-    let stays = |atom: &&Atom| {
-        reached.atoms.find_atom(atom).is_none_or(|number| !changed.contains(&number))
-    };
+    for draft in &drafts {
+        changed.extend(draft.add.iter().chain(&draft.delete));
+        changed.extend(draft.cases.iter().flat_map(|case| case.add.iter().chain(&case.delete)));
+    }
+    let stays =
+        |atom: &&Atom| atoms.find_atom(atom).is_none_or(|number| !changed.contains(&number));
     Ok(task.initial.iter().filter(stays).cloned().collect())
 }

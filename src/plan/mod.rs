@@ -33,6 +33,12 @@ impl Plan {
         self.actions.is_empty()
     }
 
+    /// What the actions cost together; none where the task has no costs.
+    pub fn cost(&self, task: &Task) -> Option<u64> {
+        let sum = |sum: u64, &action: &Action| sum.saturating_add(task.cost(action));
+        task.has_costs().then(|| self.actions.iter().fold(0, sum))
+    }
+
     /// The names of the actions.
     pub fn names(&self, task: &Task) -> Vec<String> {
         self.actions.iter().map(|&action| task.action_name(action).to_owned()).collect()

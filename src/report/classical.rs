@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::solver::ClassicalOutcome;
+use crate::task::Task;
 
 /// What `plan --json` prints.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -11,6 +12,9 @@ pub struct PlanReport {
     pub status: &'static str,
     /// The operators, each as `(name arguments)`.
     pub plan: Option<Vec<String>>,
+    /// What the plan costs, where the task has costs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<u64>,
     /// The limit that was met.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<String>,
@@ -38,12 +42,13 @@ pub struct PlanStats {
 }
 
 impl PlanReport {
-    /// The report on an outcome. The stats hold what the outcome does not know; `names` are those
-    /// of the plan.
-    pub fn new(outcome: &ClassicalOutcome, names: Option<Vec<String>>, stats: PlanStats) -> Self {
+    /// The report on an outcome. The stats hold what the outcome does not know.
+    pub fn new(task: &Task, outcome: &ClassicalOutcome, stats: PlanStats) -> Self {
+        let plan = outcome.plan.as_ref();
         Self {
             status: outcome.status.name(),
-            plan: names,
+            plan: plan.map(|plan| plan.names(task)),
+            cost: plan.and_then(|plan| plan.cost(task)),
             limit: outcome.limit.map(|limit| limit.to_string()),
             stats: PlanStats {
                 expansions: outcome.stats.expansions,

@@ -52,6 +52,9 @@ pub struct SolveReport {
     pub horizon: Option<usize>,
     /// The names of the actions.
     pub plan: Option<Vec<String>>,
+    /// What the plan costs, where the problem has costs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<u64>,
     /// The goals that survive for each observer.
     pub goals: Option<ByObserver<Vec<String>>>,
     /// The goal difference, from −1 to 1.
@@ -149,6 +152,9 @@ pub struct StatsReport {
 pub struct TraceReport {
     /// Whether the plan ends in the true goal.
     pub valid: bool,
+    /// What the plan costs, where the problem has costs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<u64>,
     /// The start and every step.
     pub steps: Vec<StepReport>,
     /// The goal difference at the end.
@@ -229,6 +235,7 @@ impl SolveReport {
             encoding: outcome.encoding.map(crate::solver::Encoding::name),
             horizon: outcome.horizon,
             plan: outcome.plan.as_ref().map(|plan| plan.names(task)),
+            cost: outcome.plan.as_ref().and_then(|plan| plan.cost(task)),
             goals: outcome
                 .survivors
                 .as_ref()
@@ -281,6 +288,11 @@ impl StatsReport {
     }
 }
 
+/// The plan that was replayed.
+fn trace_plan(trace: &Trace) -> Plan {
+    Plan { actions: trace.steps.iter().filter_map(|step| step.action).collect() }
+}
+
 impl TraceReport {
     /// The report of a trace.
     pub fn new(problem: &Problem, trace: &Trace) -> Self {
@@ -296,6 +308,7 @@ impl TraceReport {
         };
         Self {
             valid: trace.reaches_goal,
+            cost: trace_plan(trace).cost(problem.task()),
             steps: trace.steps.iter().map(step).collect(),
             goal_difference: trace.goal_difference(problem),
         }
@@ -326,7 +339,7 @@ impl TraceReport {
             Ok(())
         })?;
         let goal_difference = steps.last().map_or(0.0, |step: &StepReport| step.goal_difference);
-        Ok(Self { valid, steps, goal_difference })
+        Ok(Self { valid, cost: plan.cost(problem.task()), steps, goal_difference })
     }
 }
 

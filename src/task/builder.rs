@@ -56,6 +56,7 @@ pub struct TaskBuilder {
     actions: FxHashMap<String, Action>,
     operators: Vec<Operator>,
     groups: Vec<Vec<Fact>>,
+    costs: Option<Vec<u64>>,
 }
 
 impl TaskBuilder {
@@ -99,6 +100,13 @@ impl TaskBuilder {
         });
     }
 
+    /// Says what an action costs. Once one cost is known, all others are 0 until they are said.
+    pub fn cost(&mut self, action: Action, cost: u64) {
+        let costs = self.costs.get_or_insert_default();
+        costs.resize(costs.len().max(action.index() + 1), 0);
+        costs[action.index()] = cost;
+    }
+
     /// Declares that at most one of these facts holds in any state; [`build`](Self::build) proves
     /// it. A fact that is in several such groups is packed with those of the first.
     pub fn exclusive(&mut self, group: Vec<Fact>) {
@@ -131,7 +139,8 @@ impl TaskBuilder {
         let initial_state = layout
             .pack(initial)
             .map_err(|(first, second)| self.not_exclusive(first, second, "the initial state"))?;
-        self.check_actions(&layout)?;
+        self.check_actions(&groups_of)?;
+        let actions = self.action_names.len();
         let successors = SuccessorGenerator::new(&layout, &self.operators);
         Ok(Task {
             fact_names: self.fact_names.into_iter().map(Arc::from).collect(),
@@ -140,6 +149,10 @@ impl TaskBuilder {
             operators: self.operators,
             initial_state,
             goal: goal.to_vec(),
+            costs: self.costs.map(|mut costs| {
+                costs.resize(actions, 0);
+                costs.into_boxed_slice()
+            }),
             successors,
         })
     }
@@ -187,7 +200,11 @@ impl TaskBuilder {
                     (Some(held), None) if *held == fact || operator.delete.contains(held) => {
                         operator.add[position + 1..].iter().find(of_group)
                     }
-                    _ => self.groups[group as usize].iter().find(|other| **other != fact),
+                    // Without any of the group required, all others must go.
+                    _ => self.groups[group as usize].iter().find(|other| {
+                        let goes = operator.delete.contains(other) && !operator.add.contains(other);
+                        **other != fact && !goes
+                    }),
                 };
                 if let Some(&second) = second {
                     let name = &self.action_names[operator.action.index()];
@@ -199,12 +216,12 @@ impl TaskBuilder {
     }
 
     /// No two operators of an action may be applicable in one state.
-    fn check_actions(&self, layout: &Layout) -> Result<(), TaskError> {
+    fn check_actions(&self, groups_of: &[Vec<u32>]) -> Result<(), TaskError> {
         let mut by_action: Vec<Vec<&Operator>> = vec![Vec::new(); self.action_names.len()];
         for operator in &self.operators {
             by_action[operator.action.index()].push(operator);
         }
-        match by_action.iter_mut().position(|operators| !exclude_each_other(layout, operators)) {
+        match by_action.iter_mut().position(|operators| !exclude_each_other(groups_of, operators)) {
             None => Ok(()),
             Some(index) => {
                 Err(TaskError::AmbiguousAction { action: self.action_names[index].clone() })
@@ -216,26 +233,26 @@ impl TaskBuilder {
 /// Whether at most one of these operators is applicable in any state, as far as the groups tell:
 /// split by the groups that all of them ask for, then each part by the groups that all of the part
 /// ask for, and so on, until operators stand alone.
-fn exclude_each_other(layout: &Layout, operators: &mut [&Operator]) -> bool {
+fn exclude_each_other(groups_of: &[Vec<u32>], operators: &mut [&Operator]) -> bool {
     let [first, rest @ ..] = &*operators else { return true };
     if rest.is_empty() {
         return true;
     }
-    let value = |operator: &Operator, group| {
-        let asked = operator.preconditions.iter().find(|fact| layout.group(**fact) == group);
-        asked.map(|fact| layout.value(*fact))
+    let value = |operator: &Operator, group: u32| {
+        let is_of = |fact: &&Fact| groups_of[fact.index()].contains(&group);
+        operator.preconditions.iter().find(is_of).copied()
     };
-    let mut groups: Vec<usize> =
-        first.preconditions.iter().map(|fact| layout.group(*fact)).collect();
+    let mut groups: Vec<u32> =
+        first.preconditions.iter().flat_map(|fact| &groups_of[fact.index()]).copied().collect();
     groups.retain(|&group| rest.iter().all(|operator| value(operator, group).is_some()));
-    let asked = |operator: &Operator| -> Vec<Option<usize>> {
+    let asked = |operator: &Operator| -> Vec<Option<Fact>> {
         groups.iter().map(|&group| value(operator, group)).collect()
     };
     let count = operators.len();
     operators.sort_by_cached_key(|operator| asked(operator));
     operators
         .chunk_by_mut(|a, b| asked(a) == asked(b))
-        .all(|part| part.len() < count && exclude_each_other(layout, part))
+        .all(|part| part.len() < count && exclude_each_other(groups_of, part))
 }
 
 #[cfg(test)]

@@ -40,6 +40,7 @@ pub struct Task {
     operators: Vec<Operator>,
     initial_state: State,
     goal: Vec<Fact>,
+    costs: Option<Box<[u64]>>,
     successors: SuccessorGenerator,
 }
 
@@ -105,6 +106,16 @@ impl Task {
     /// The goal `G_A`, a conjunction of facts.
     pub fn goal(&self) -> &[Fact] {
         &self.goal
+    }
+
+    /// Whether its actions have costs; where they have none, only the length of a plan counts.
+    pub fn has_costs(&self) -> bool {
+        self.costs.is_some()
+    }
+
+    /// What an action costs; 0 where the task has no costs.
+    pub fn cost(&self, action: Action) -> u64 {
+        self.costs.as_ref().map_or(0, |costs| costs[action.index()])
     }
 
     /// How facts are packed into the words of a state.

@@ -101,8 +101,8 @@ fn bad_texts_have_a_file_a_line_and_a_column() {
     );
     let error = bad(DOMAIN, &TASK.replace("(near a)", "(near c)"));
     assert!(error.contains("-: line 2, column 16: found the undeclared object \"c\""), "{error}");
-    let error = bad(&DOMAIN.replace(":effect (lit ?a)", ":effect (when (near ?a) (lit ?a))"), TASK);
-    assert!(error.contains("which needs :conditional-effects"), "{error}");
+    let error = bad(&DOMAIN.replace(":effect (lit ?a)", ":effect (assign (near ?a) 3)"), TASK);
+    assert!(error.contains("which needs :numeric-fluents"), "{error}");
     let missing = mo_copp(TASK, &["plan", "no-such-file.pddl", "-"]);
     assert_eq!(missing.code, 2);
     assert!(missing.err.contains("no-such-file.pddl"), "{}", missing.err);

@@ -38,7 +38,7 @@ fn texts_keys_and_goals() {
         (Put("/domain/2", "3"), "domain[2]: found 3, expected a line of PDDL"),
         (
             Put("/domain/2", "\"(:types room) letter\""),
-            "domain, line 3, column 15: found \"letter\", expected a section: :requirements, :types, :constants, :predicates or :action",
+            "domain, line 3, column 15: found \"letter\", expected a section: :requirements, :types, :constants, :predicates, :functions or :action",
         ),
         (
             Put("/domain/2", "\"(:types room)\""),
@@ -77,8 +77,8 @@ fn texts_keys_and_goals() {
             "goals[1].condition, line 1, column 10: found the undeclared object \"cellar\", expected an object or a constant: hall, office, archive, red, blue",
         ),
         (
-            Put("/goals/1/condition", "\"(or (has red) (has blue))\""),
-            "goals[1].condition, line 1, column 1: found \"(or …)\", which needs :disjunctive-preconditions, expected STRIPS with :typing, :equality and :negative-preconditions",
+            Put("/goals/1/condition", "\"(or (has red) (had blue))\""),
+            "goals[1].condition, line 1, column 16: found the undeclared predicate \"had\", expected a predicate of the domain: at, in, door, has",
         ),
         (
             Put("/goals/1/condition", "\"(in ?x archive)\""),
@@ -86,6 +86,8 @@ fn texts_keys_and_goals() {
         ),
         (Put("/goals/1/condition", "\"(and (at hall) (at office))\""), "no error"),
         (Put("/goals/1/condition", "\"(door office archive)\""), "no error"),
+        (Put("/goals/1/condition", "\"(or (has red) (has blue))\""), "no error"),
+        (Put("/goals/1/condition", "\"(exists (?l - letter) (has ?l))\""), "no error"),
         (
             Put("/true_goal", "\"green\""),
             "true_goal: found \"green\", expected the name of a candidate goal: red, blue, both",

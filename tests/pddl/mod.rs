@@ -3,6 +3,7 @@
 // Texts put together piece by piece, and long tables of mistakes: shorter code for it reads worse.
 #![allow(clippy::format_collect, clippy::format_push_string, clippy::too_many_lines)]
 
+mod adl;
 mod blow_up;
 mod exclusive;
 mod fuzz;

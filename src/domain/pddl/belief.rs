@@ -44,10 +44,7 @@ impl Believed {
                 let condition = read_condition(&texts.domain, &texts.task, text);
                 let condition = condition.map_err(|e| at(format!("{path}.reachable"), e))?;
                 let holds = |atom: &Atom| texts.task.initial.binary_search(atom).is_ok();
-                if condition.is_false
-                    || !condition.positive.iter().all(holds)
-                    || condition.negative.iter().any(holds)
-                {
+                if !condition.holds(&holds) {
                     let found = "a condition that the initial state does not satisfy";
                     let expected = "a condition that it does, since the actor is there";
                     return Err(DocumentError::invalid(

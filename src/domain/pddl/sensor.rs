@@ -9,7 +9,7 @@ use super::{PddlObserver, PddlSensor};
 use crate::document::DocumentError;
 use crate::document::json::quoted;
 use crate::domain::observers::listed;
-use crate::pddl::{Condition, Grounded, Group, Literals, Pattern, PddlError};
+use crate::pddl::{Condition, Formula, Grounded, Group, Pattern, PddlError};
 use crate::sensor::{Sensor, SensorBuilder};
 use crate::task::{Action, OperatorId};
 
@@ -19,13 +19,16 @@ const MAX_RULES: usize = 1000;
 /// The most readings that depend on the resulting state, over all operators.
 const MAX_CASES: usize = if cfg!(target_arch = "wasm32") { 200_000 } else { 2_000_000 };
 
+/// The most conjunctions that a result stands for.
+const MAX_ALTERNATIVES: usize = 256;
+
 /// The most bytes of symbols.
 const MAX_SYMBOL_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 64 << 20 };
 
 /// A rule whose texts are read.
 struct Rule {
     pattern: Pattern,
-    result: Option<Literals>,
+    result: Option<Formula>,
     symbol: Template,
 }
 
@@ -125,8 +128,8 @@ impl<'a> Eye<'a> {
         let result = match result {
             None => None,
             Some(text) => {
-                let literals = pattern.read_condition(domain, task, text);
-                Some(literals.map_err(wrong("result"))?)
+                let formula = pattern.read_condition(domain, task, text);
+                Some(formula.map_err(wrong("result"))?)
             }
         };
         let bad = |found: String, expected: String| {
@@ -178,20 +181,28 @@ impl<'a> Eye<'a> {
                     let found = format!("more than {} MiB of symbols", MAX_SYMBOL_BYTES >> 20);
                     return Err(DocumentError::invalid(&self.path, found, "at most that"));
                 }
-                let Some(literals) = &rule.result else {
+                let Some(formula) = &rule.result else {
                     reading.otherwise = symbol;
                     complete = true;
                     break;
                 };
-                cases += 1;
+                let condition = rule.pattern.condition(&texts.task, formula, objects);
+                let Some(all) =
+                    condition.and_then(|condition| condition.alternatives(MAX_ALTERNATIVES))
+                else {
+                    let found = format!("a result with more than {MAX_ALTERNATIVES} alternatives");
+                    return Err(DocumentError::invalid(&self.path, found, "at most that"));
+                };
+                cases += all.len().max(1);
                 if cases > MAX_CASES {
                     let found = format!("more than {MAX_CASES} rules with a result that apply");
                     return Err(DocumentError::invalid(&self.path, found, "at most that"));
                 }
-                let condition = rule.pattern.condition(literals, objects);
-                let number = numbers.condition(condition, conditions);
-                tried.push(number);
-                reading.cases.push((number, symbol));
+                for condition in all {
+                    let number = numbers.condition(condition, conditions);
+                    tried.push(number);
+                    reading.cases.push((number, symbol));
+                }
             }
             if !complete {
                 let cases: Vec<&Condition> =
