@@ -49,12 +49,7 @@ pub fn attempt(
     let problem = Arc::new(problem);
     let mut options = job.entrant.options(setting.figure, &setting.limits);
     options.limits.bytes = options.limits.bytes.min(bytes);
-    let lengths = job.entrant.lengths();
-    let first = match lengths {
-        Lengths::Any => None,
-        Lengths::Exactly | Lengths::UpTo => Some(job.domain.horizon),
-    };
-    let asked = Asked::new(&options, first);
+    let asked = Asked::of(setting, job);
     let mut work = Work {
         problem: &problem,
         options,
@@ -62,7 +57,7 @@ pub fn attempt(
         limit: setting.limits.seconds,
         begin: Instant::now(),
     };
-    let solved = match (lengths, first) {
+    let solved = match (job.entrant.lengths(), job.first_horizon()) {
         (Lengths::UpTo, Some(most)) => work.up_to(most),
         (_, Some(steps)) => work.at(Horizon::Steps(steps)),
         (_, None) => work.at(Horizon::Any),

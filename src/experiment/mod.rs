@@ -22,6 +22,7 @@ mod run;
 mod setting;
 pub mod statistics;
 mod summary;
+mod validity;
 
 pub use domains::TestDomain;
 pub use entrant::{Entrant, HORIZON_STEP, Lengths};

@@ -163,7 +163,13 @@ pub struct Asked {
 }
 
 impl Asked {
-    pub(super) fn new(options: &Options, first: Option<usize>) -> Self {
+    /// What a run of this setting asks in a job.
+    pub(super) fn of(setting: &Setting, job: &Job) -> Self {
+        let options = job.entrant.options(setting.figure, &setting.limits);
+        Self::new(&options, job.first_horizon())
+    }
+
+    fn new(options: &Options, first: Option<usize>) -> Self {
         let limit = |n: u64| (n != u64::MAX).then_some(n);
         Self {
             encoding: (options.solver == Solver::Ip).then(|| options.encoding.name().to_owned()),

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use fs4::{FileExt, TryLockError};
 
 use super::record::{Header, Record};
+use super::validity::check;
 use super::{ExperimentError, Job, Setting};
 
 /// A record and the line it was read from, which is kept as it is.
@@ -118,7 +119,8 @@ pub fn entries(
             let found = format!("{found} of seed {}", record.seed);
             return Err(wrong(path, number, found, format!("seed {seed}")));
         }
-        check(&record).map_err(|expected| wrong(path, number, found.clone(), expected))?;
+        check(&record, setting, job)
+            .map_err(|expected| wrong(path, number, found.clone(), expected))?;
         if let Some(first) = entries.get(&job.place) {
             let expected = format!("each record once; this one is on line {}", first.number);
             return Err(wrong(path, number, found, expected));
@@ -137,26 +139,6 @@ impl std::fmt::Display for Shown<'_> {
         let Job { domain, problem, entrant, .. } = self.0;
         write!(f, "{} {problem} {}", domain.domain.name(), entrant.name())
     }
-}
-
-/// What goes together in a record.
-fn check(record: &Record) -> Result<(), String> {
-    let plan = match record.status.as_str() {
-        "optimal" | "solved" | "feasible" => true,
-        "infeasible" | "limit" => false,
-        _ => return Err("a status of optimal, solved, feasible, infeasible or limit".to_owned()),
-    };
-    let there = [
-        record.plan.is_some(),
-        record.goals.is_some(),
-        record.goal_difference.is_some(),
-        record.length.is_some(),
-    ];
-    if there != [plan; 4] || record.length != record.plan.as_ref().map(Vec::len) {
-        let with = if plan { "with" } else { "without" };
-        return Err(format!("status {} {with} a plan", record.status));
-    }
-    Ok(())
 }
 
 /// The file a run writes.
@@ -250,8 +232,8 @@ impl RecordFile {
     }
 }
 
-/// Writes a file of records in the order of the jobs, in one step: whoever looks sees the old file
-/// or the new one.
+/// Writes a file of records in the order of the jobs, in one step: a reader sees the old file or the
+/// new one.
 ///
 /// # Errors
 ///

@@ -4,6 +4,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
+use super::entrant::Lengths;
 use super::{Entrant, ExperimentError, Figure, TestDomain};
 
 /// The most problems of a domain.
@@ -77,6 +78,16 @@ pub struct Job {
     pub entrant: Entrant,
     /// Its place in an order in which the problems of a domain and a solver stand together.
     column_first: usize,
+}
+
+impl Job {
+    /// The first horizon of the solver, where it takes one.
+    pub(super) fn first_horizon(&self) -> Option<usize> {
+        match self.entrant.lengths() {
+            Lengths::Any => None,
+            Lengths::Exactly | Lengths::UpTo => Some(self.domain.horizon),
+        }
+    }
 }
 
 impl Setting {

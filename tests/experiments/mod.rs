@@ -5,6 +5,7 @@ mod records;
 mod runs;
 mod shards;
 mod statistics;
+mod validity;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;

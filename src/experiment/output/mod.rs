@@ -50,13 +50,19 @@ pub fn write(
     Ok(written)
 }
 
-/// Writes a file in one step: whoever looks sees the old one or the new one.
+/// Writes a file in one step: a reader sees the old one or the new one. Where that fails, nothing is
+/// left of the new one.
 pub(super) fn replace(path: &Path, text: &str) -> Result<(), ExperimentError> {
     let mut new = path.as_os_str().to_owned();
     new.push(".new");
     let new = PathBuf::from(new);
-    let written = fs::File::create(&new)
-        .and_then(|mut file| file.write_all(text.as_bytes()).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&new, path));
-    written.map_err(|error| ExperimentError::file(path, error))
+    let mut file = fs::File::create(&new).map_err(|error| ExperimentError::file(&new, error))?;
+    let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all());
+    let written = written.map_err(|error| ExperimentError::file(&new, error));
+    let replaced = written
+        .and_then(|()| fs::rename(&new, path).map_err(|error| ExperimentError::file(path, error)));
+    if replaced.is_err() {
+        let _ = fs::remove_file(&new);
+    }
+    replaced
 }
