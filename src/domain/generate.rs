@@ -9,7 +9,7 @@ use thiserror::Error;
 use super::Document;
 #[cfg(feature = "full")]
 pub use super::drawable::Domain;
-use crate::problem::{Goal, Problem};
+use crate::problem::Problem;
 use crate::task::StateSpace;
 
 /// Why no document can be drawn.
@@ -107,21 +107,13 @@ pub(super) fn until_solvable<T>(
 /// How many states are gone through before a goal counts as out of reach.
 const MOST_STATES: usize = 1_000_000;
 
-/// Whether the actor can reach its goal.
+/// Whether the actor can reach its goal, breadth first.
 pub(super) fn true_goal_is_reachable(problem: &Problem) -> bool {
-    reaches(problem, std::slice::from_ref(&problem.goals()[problem.true_goal()]))
-}
-
-/// Whether the actor can reach each of these goals, breadth first.
-pub(super) fn reaches(problem: &Problem, goals: &[Goal]) -> bool {
     let task = problem.task();
     let mut space = StateSpace::new(Arc::clone(task));
-    let mut missing: Vec<&Goal> = goals.iter().collect();
     let mut next = space.intern(task.initial_state());
     loop {
-        let words = space.words(next);
-        missing.retain(|goal| !task.satisfies(words, &goal.condition));
-        if missing.is_empty() {
+        if task.satisfies(space.words(next), task.goal()) {
             return true;
         }
         space.expand(next);

@@ -80,6 +80,28 @@ fn sizes_are_heeded_and_bad_ones_refused() {
     }
 }
 
+/// Far more states than can be gone through, and as many goals as a problem may have.
+#[test]
+fn large_worlds_with_many_goals_are_drawn_soon() {
+    let size = ["--width", "32", "--height", "32", "--seed", "3"];
+    let begin = std::time::Instant::now();
+    for (domain, more, goals) in [
+        ("recycling-robot", &["--battery-levels", "32", "--goals", "1000"][..], 1000),
+        ("recycling-robot", &["--battery-levels", "2", "--goals", "2"][..], 2),
+        ("box-pushing", &["--goals", "32", "--walls", "20"][..], 32),
+    ] {
+        let ran = mo_copp("", &[&["generate", domain], more, &size].concat());
+        if ran.code == 0 {
+            let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+            assert_eq!(json["goals"].as_array().unwrap().len(), goals);
+        } else {
+            // A battery that is nearly empty reaches next to nothing.
+            assert!(more.contains(&"2") && ran.err.contains("no solvable problem"), "{}", ran.err);
+        }
+    }
+    assert!(begin.elapsed().as_secs() < 60, "{:?}", begin.elapsed());
+}
+
 #[test]
 fn problems_drawn_before_are_counted() {
     let notes = [

@@ -1,11 +1,12 @@
 //! Draws random box pushing.
 
+use super::reach::box_cells;
 use super::{BoxPushing, BoxState, MAX_SIDE};
 use crate::domain::Observers;
 use crate::domain::generate::{
-    Drawn, GenerateError, draw, draw_belief, in_range, random, reaches, until_solvable,
+    Drawn, GenerateError, draw, draw_belief, in_range, random, until_solvable,
 };
-use crate::domain::grid::{Cell, Direction, GridObserver, Size, goals_in};
+use crate::domain::grid::{Cell, Direction, Floor, GridObserver, Size, goals_in};
 
 /// The size of random box pushing. The default is the paper's: 5 × 5 with one box, three goals in
 /// the topmost row and its two sensors; the paper does not say how initial beliefs are drawn, so
@@ -75,8 +76,10 @@ impl BoxPushingShape {
             };
             let true_goal = goals[0].name.clone();
             let document = BoxPushing { width, height, walls, start, goals, true_goal, observers };
-            let problem = document.problem().ok()?;
-            reaches(&problem, problem.goals()).then_some(document)
+            let floor = Floor::new(width, height, &document.walls, MAX_SIDE).ok()?;
+            let reached = box_cells(&floor, &document.start);
+            let solvable = document.goals.iter().all(|goal| reached[floor.index(goal.cell)]);
+            solvable.then_some(document)
         })
     }
 }

@@ -9,6 +9,7 @@
 
 mod build;
 mod generate;
+mod reach;
 mod read;
 
 use serde::Serialize;

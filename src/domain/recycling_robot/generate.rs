@@ -1,11 +1,12 @@
 //! Draws random recycling robots.
 
+use super::reach::can_cells;
 use super::{Can, MAX_LEVELS, MAX_SIDE, RecyclingRobot, RobotState};
 use crate::domain::Observers;
 use crate::domain::generate::{
-    Drawn, GenerateError, draw, draw_belief, in_range, random, reaches, until_solvable,
+    Drawn, GenerateError, draw, draw_belief, in_range, random, until_solvable,
 };
-use crate::domain::grid::{GridObserver, Size, goals_in};
+use crate::domain::grid::{Floor, GridObserver, Size, goals_in};
 
 /// The size of a random recycling robot's world. The default is the paper's: 4 × 4 with a can, a
 /// battery of 5 levels, three goals and its two sensors; the paper does not say how initial beliefs
@@ -82,8 +83,10 @@ impl RecyclingRobotShape {
                 goals,
                 observers,
             };
-            let problem = document.problem().ok()?;
-            reaches(&problem, problem.goals()).then_some(document)
+            let floor = Floor::new(width, height, &document.walls, MAX_SIDE).ok()?;
+            let reached = can_cells(&document, &floor);
+            let solvable = document.goals.iter().all(|goal| reached[floor.index(goal.cell)]);
+            solvable.then_some(document)
         })
     }
 }
