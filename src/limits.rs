@@ -5,6 +5,15 @@
 
 use thiserror::Error;
 
+/// The longest text that is read in bytes, a document or PDDL: 32 MiB natively, 8 MiB in wasm. All
+/// that takes texts in, the page too, reads this number and has none of its own.
+pub const MAX_TEXT_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 32 << 20 };
+
+/// The most values (texts, numbers, lists, objects) of a document. A value takes 24 bytes where it
+/// stands and at least 32 where it points to, and a list three times that while it grows, so that
+/// `[[0],[0],…]` would take 40 times the memory of its text.
+pub const MAX_VALUES: usize = if cfg!(target_arch = "wasm32") { 1_000_000 } else { 4_000_000 };
+
 /// A limit that was met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum LimitReached {

@@ -17,6 +17,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::domain::Document;
+use crate::limits::MAX_TEXT_BYTES;
 use crate::plan::{Plan, next_actions};
 use crate::problem;
 use crate::report::{
@@ -32,6 +33,12 @@ use types::{AdviceJs, NextActionsJs, OutcomeJs, ProgressJs, SceneJs, SolveOption
 #[wasm_bindgen(start)]
 pub fn start() {
     console_error_panic_hook::set_once();
+}
+
+/// The longest text of a document that is read, in bytes.
+#[wasm_bindgen(js_name = maxTextBytes)]
+pub fn max_text_bytes() -> usize {
+    MAX_TEXT_BYTES
 }
 
 /// Plain objects, `null` for nothing.

@@ -7,7 +7,7 @@ use mo_copp::solver::{Horizon, Options, Solver};
 
 use super::args::EncodeArgs;
 use super::error::CliError;
-use super::{LIMIT, NO_PLAN, input, print};
+use super::{LIMIT, NO_PLAN, input, note, print};
 
 /// Prints the model; the exit code.
 pub fn run(args: &EncodeArgs) -> Result<u8, CliError> {
@@ -27,11 +27,11 @@ pub fn run(args: &EncodeArgs) -> Result<u8, CliError> {
         Ok(None) => {
             let horizon = args.horizon;
             print(&lp_format::infeasible(&format!("there is no such plan of {horizon} actions")))?;
-            eprintln!("mo-copp: infeasible: there is no such plan of {horizon} actions");
+            note(&format!("infeasible: there is no such plan of {horizon} actions"));
             Ok(NO_PLAN)
         }
         Err(limit) => {
-            eprintln!("mo-copp: {limit}");
+            note(&limit.to_string());
             Ok(LIMIT)
         }
     }

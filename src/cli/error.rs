@@ -54,6 +54,15 @@ pub enum CliError {
     /// An experiment that cannot go on.
     #[error("{0}")]
     Experiment(#[from] ExperimentError),
+    /// A signal asked to stop before there was an answer.
+    #[error("{}", LimitReached::Cancelled)]
+    Stopped,
+    /// A part of the program that panicked.
+    #[error("a defect of this program, please report it: {what}")]
+    Defect {
+        /// What it said.
+        what: String,
+    },
     /// The output cannot be written.
     #[error("cannot write the output: {0}")]
     Output(std::io::Error),

@@ -10,7 +10,7 @@ use mo_copp::solver::OptionsError;
 
 use super::args::GenerateArgs;
 use super::error::CliError;
-use super::print;
+use super::{note, print};
 
 /// Prints a document; the exit code.
 pub fn run(args: &GenerateArgs) -> Result<u8, CliError> {
@@ -29,7 +29,7 @@ pub fn run(args: &GenerateArgs) -> Result<u8, CliError> {
             1 => "1 problem without a plan was".to_owned(),
             count => format!("{count} problems without a plan were"),
         };
-        eprintln!("mo-copp: note: {before} drawn before this one");
+        note(&format!("note: {before} drawn before this one"));
     }
     Ok(0)
 }

@@ -13,7 +13,7 @@ use super::args::BoundsArgs;
 use super::error::CliError;
 
 /// The largest file that is read.
-const MAX_BYTES: u64 = mo_copp::document::json::MAX_BYTES as u64;
+const MAX_BYTES: u64 = mo_copp::limits::MAX_TEXT_BYTES as u64;
 
 /// A file as text; `-` for the standard input.
 pub fn text(path: &Path) -> Result<String, CliError> {

@@ -1,6 +1,7 @@
 //! The command line. It reads arguments, calls the library and prints; nothing else.
 //!
-//! Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no plan found.
+//! Exit codes: 0 a plan, 1 there is none, 2 bad input or usage, 3 a limit was met and no
+//! plan found, 101 a defect of the program.
 
 mod args;
 mod encode;
@@ -8,6 +9,7 @@ mod error;
 mod experiment;
 mod generate;
 mod input;
+mod interrupt;
 mod plan;
 mod progress;
 mod remedy;
@@ -18,6 +20,7 @@ use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::Parser;
+use mo_copp::document::is_hidden;
 use mo_copp::plan::PlanError;
 
 use args::{Command, CommandLine};
@@ -29,15 +32,17 @@ const NO_PLAN: u8 = 1;
 const BAD_INPUT: u8 = 2;
 /// A limit was met and no plan found.
 const LIMIT: u8 = 3;
+/// The program is at fault: what Rust programs end with that panic.
+const DEFECT: u8 = 101;
 
 /// Runs the command; the exit code says how it went.
 pub fn main() -> ExitCode {
     let done = match CommandLine::parse().command {
         Command::Solve(args) => solve::run(&args),
-        Command::Trace(args) => trace::run(&args),
-        Command::Encode(args) => encode::run(&args),
+        Command::Trace(args) => unless_stopped(move || trace::run(&args)),
+        Command::Encode(args) => unless_stopped(move || encode::run(&args)),
         Command::Plan(args) => plan::run(&args),
-        Command::Generate(args) => generate::run(&args),
+        Command::Generate(args) => unless_stopped(move || generate::run(&args)),
         Command::Experiment(args) => experiment::run_command(&args),
     };
     match done {
@@ -47,18 +52,36 @@ pub fn main() -> ExitCode {
             ExitCode::from(LIMIT)
         }
         Err(error) => {
+            let code = match error {
+                CliError::Stopped => LIMIT,
+                CliError::Defect { .. } => DEFECT,
+                _ => BAD_INPUT,
+            };
             // Where not even this can be printed, the exit code is all there is.
             let _ = writeln!(std::io::stderr(), "mo-copp: {}", visible(&error.to_string()));
-            ExitCode::from(BAD_INPUT)
+            ExitCode::from(code)
         }
     }
 }
 
-/// A text for a terminal: names may hold anything, so control characters are written out.
+/// Work that has no answer before its end.
+fn unless_stopped(
+    work: impl FnOnce() -> Result<u8, CliError> + Send + 'static,
+) -> Result<u8, CliError> {
+    interrupt::unless_stopped(work)?.unwrap_or(Err(CliError::Stopped))
+}
+
+/// Tells something beside the output.
+fn note(text: &str) {
+    eprintln!("mo-copp: {}", visible(text));
+}
+
+/// A text for a terminal: names of files may hold anything, so control characters and signs that
+/// are hidden or turn text around are written out.
 fn visible(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for character in text.chars() {
-        if character.is_control() && character != '\n' {
+        if (character.is_control() && character != '\n') || is_hidden(character) {
             shown.extend(character.escape_default());
         } else {
             shown.push(character);

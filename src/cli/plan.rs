@@ -1,5 +1,6 @@
 //! `mo-copp plan`: the baseline on plain PDDL.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -12,7 +13,7 @@ use mo_copp::solver::{ClassicalRun, SolveError, Stats, Status};
 
 use super::args::PlanArgs;
 use super::error::CliError;
-use super::{BAD_INPUT, LIMIT, NO_PLAN, input, print, progress, visible};
+use super::{BAD_INPUT, LIMIT, NO_PLAN, input, interrupt, note, print, progress, visible};
 
 /// Expansions between two looks at whether to stop.
 const SLICE: u64 = 16;
@@ -25,21 +26,20 @@ struct Step {
 
 /// Reads, grounds, searches and prints; the exit code.
 pub fn run(args: &PlanArgs) -> Result<u8, CliError> {
-    let (domain_text, task_text) = input::texts(&args.domain, &args.task)?;
-    let wrong = |file: &std::path::Path| {
-        let file = file.display().to_string();
-        move |error: PddlError| CliError::Pddl { file, error }
+    let (domain_path, task_path) = (args.domain.clone(), args.task.clone());
+    let Some(texts) = interrupt::unless_stopped(move || read(&domain_path, &task_path))? else {
+        let limit = LimitReached::Cancelled.to_string();
+        return answer(args, &stopped(limit, PlanStats::default()));
     };
-    let domain = read_domain(&domain_text).map_err(wrong(&args.domain))?;
-    let task = read_task(&domain, &task_text).map_err(wrong(&args.task))?;
+    let (domain, task) = texts?;
     if task.domain != domain.name {
-        eprintln!(
-            "mo-copp: note: {} is a task of the domain {}, {} is the domain {}",
+        note(&format!(
+            "note: {} is a task of the domain {}, {} is the domain {}",
             args.task.display(),
             task.domain,
             args.domain.display(),
             domain.name
-        );
+        ));
     }
     let limits = args.limits.limits();
     let (done, _) = progress::watched(
@@ -49,17 +49,33 @@ pub fn run(args: &PlanArgs) -> Result<u8, CliError> {
             let stats = last.map_or_else(PlanStats::default, |step| step.stats);
             Ok(stopped(LimitReached::Cancelled.to_string(), stats))
         },
-    );
-    let (report, code) = done?;
+    )?;
+    answer(args, &done?)
+}
+
+/// The domain and the task.
+fn read(domain: &Path, task: &Path) -> Result<(Domain, TaskDefinition), CliError> {
+    let (domain_text, task_text) = input::texts(domain, task)?;
+    let wrong = |file: &Path| {
+        let file = file.display().to_string();
+        move |error: PddlError| CliError::Pddl { file, error }
+    };
+    let read = read_domain(&domain_text).map_err(wrong(domain))?;
+    let task = read_task(&read, &task_text).map_err(wrong(task))?;
+    Ok((read, task))
+}
+
+/// Prints a report; the exit code that goes with it.
+fn answer(args: &PlanArgs, (report, code): &(PlanReport, u8)) -> Result<u8, CliError> {
     if args.json {
         // Only texts, numbers and lists: writing them cannot fail.
-        print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
+        print(&(serde_json::to_string(report).unwrap_or_default() + "\n"))?;
     } else {
         let lines: String = report.plan.iter().flatten().map(|step| step.clone() + "\n").collect();
         print(&visible(&lines))?;
-        eprintln!("mo-copp: {}", summary(&report));
+        note(&summary(report));
     }
-    Ok(code)
+    Ok(*code)
 }
 
 /// An answer without a plan and without a proof.

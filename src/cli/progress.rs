@@ -12,6 +12,7 @@ use mo_copp::problem::Problem;
 use mo_copp::solver::{Options, Outcome, Progress, Solver, abandoned, solve};
 
 use super::error::CliError;
+use super::interrupt;
 
 /// Work that takes no longer than this shows no progress.
 const QUIET: Duration = Duration::from_secs(1);
@@ -43,7 +44,7 @@ impl<P, T> Watcher<P, T> {
         // The first plan comes early; what follows may take long.
         if self.slices <= FIRST_SLICES || self.told.elapsed() >= EVERY {
             self.told = Instant::now();
-            // Nobody listens any more when the work has been left behind.
+            // The receiver is gone once the work has been left behind.
             let _ = self.sender.send(Message::Progress(progress()));
         }
         if self.stop.load(Ordering::SeqCst) {
@@ -56,27 +57,21 @@ impl<P, T> Watcher<P, T> {
 
 /// Does work on a thread of its own and shows how far it is. On Ctrl-C the work is asked to stop;
 /// where it does not for long, `abandoned` makes the answer of what was last heard of it. Also
-/// returned is what is set once somebody wants to stop.
+/// returned is what is set once a signal asks to stop.
+///
+/// # Errors
+///
+/// [`CliError::Defect`] where the work panics.
 pub fn watched<P: Send + 'static, T: Send + 'static>(
     work: impl FnOnce(&mut Watcher<P, T>) -> T + Send + 'static,
     line: impl Fn(&P) -> String,
     abandoned: impl FnOnce(Option<&P>) -> T,
-) -> (T, Arc<AtomicBool>) {
+) -> Result<(T, Arc<AtomicBool>), CliError> {
     let begin = Instant::now();
-    let stop = Arc::new(AtomicBool::new(false));
-    let on_signal = Arc::clone(&stop);
-    // Without a handler Ctrl-C ends the process, which is no worse.
-    let mut insisted = Insistence::default();
-    let _ = ctrlc::set_handler(move || {
-        on_signal.store(true, Ordering::SeqCst);
-        if insisted.again() {
-            // Asked twice: whoever it is does not want to wait for the best plan.
-            std::process::exit(i32::from(super::LIMIT));
-        }
-    });
+    let stop = interrupt::stop();
     let (sender, receiver) = channel();
     let mut watcher = Watcher { sender, stop: Arc::clone(&stop), told: begin, slices: 0 };
-    thread::spawn(move || {
+    let thread = thread::spawn(move || {
         let done = work(&mut watcher);
         let _ = watcher.sender.send(Message::Done(done));
     });
@@ -94,7 +89,10 @@ pub fn watched<P: Send + 'static, T: Send + 'static>(
                 last = Some(progress);
             }
             Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => break abandoned(last.as_ref()),
+            Err(RecvTimeoutError::Disconnected) => {
+                bar.finish_and_clear();
+                return Err(interrupt::defect(thread));
+            }
         }
         if begin.elapsed() >= QUIET {
             bar.tick();
@@ -108,24 +106,7 @@ pub fn watched<P: Send + 'static, T: Send + 'static>(
         }
     };
     bar.finish_and_clear();
-    (done, stop)
-}
-
-/// Tells a second wish to stop from the same one heard twice: a scheduler that stops a process and
-/// its group sends it two signals at once.
-#[derive(Debug, Default)]
-pub struct Insistence {
-    first: Option<Instant>,
-}
-
-impl Insistence {
-    /// What comes sooner after the first signal belongs to it.
-    const APART: Duration = Duration::from_millis(500);
-
-    /// Hears a signal; whether it is a wish of its own after the first.
-    pub fn again(&mut self) -> bool {
-        self.first.get_or_insert_with(Instant::now).elapsed() >= Self::APART
-    }
+    Ok((done, stop))
 }
 
 /// What came of it.
@@ -146,7 +127,7 @@ pub fn solve_watched(problem: &Arc<Problem>, options: &Options) -> Result<Solved
         move |watcher| solve(asked, wanted, |run| watcher.slice(|| run.progress())),
         line,
         |last| abandoned(problem, options, last),
-    );
+    )?;
     Ok(Solved { outcome: outcome?, seconds: begin.elapsed().as_secs_f64(), stop })
 }
 
@@ -158,4 +139,22 @@ fn line(progress: &Progress) -> String {
     parts.extend(progress.bound.map(|bound| format!("at most {bound:.3}")));
     parts.extend(progress.gap().map(|gap| format!("gap {gap:.3}")));
     parts.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::panic, clippy::unwrap_used)]
+
+    use super::*;
+
+    #[test]
+    fn a_solver_that_panics_is_a_defect_and_was_not_stopped() {
+        let work = |watcher: &mut Watcher<u8, u8>| -> u8 {
+            let _ = watcher.slice(|| 1);
+            panic!("out of order")
+        };
+        let failed = watched(work, u8::to_string, |_| 7).unwrap_err();
+        assert!(failed.to_string().starts_with("a defect of this program"), "{failed}");
+        assert!(failed.to_string().ends_with("out of order"), "{failed}");
+    }
 }

@@ -2,18 +2,22 @@
 
 use std::fmt::Write;
 
-use mo_copp::limits::Limits;
+use mo_copp::limits::{LimitReached, Limits};
 use mo_copp::problem::{Problem, Role};
 use mo_copp::report::{AdviceReport, SolveReport};
 use mo_copp::solver::{Horizon, Options, Outcome, Solver, Status};
 
 use super::args::SolveArgs;
 use super::error::CliError;
-use super::{LIMIT, NO_PLAN, input, print, progress, remedy, visible};
+use super::{LIMIT, NO_PLAN, input, interrupt, note, print, progress, remedy, visible};
 
 /// Solves and prints; the exit code.
 pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
-    let problem = input::problem(&args.problem)?;
+    let path = args.problem.clone();
+    let Some(problem) = interrupt::unless_stopped(move || input::problem(&path))? else {
+        return stopped_while_reading(args);
+    };
+    let problem = problem?;
     let options = Options {
         encoding: args.encoding,
         horizon: args.horizon.unwrap_or(Horizon::Auto),
@@ -51,6 +55,19 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
     })
 }
 
+/// The answer where a signal comes before there is a problem to solve.
+fn stopped_while_reading(args: &SolveArgs) -> Result<u8, CliError> {
+    if args.json {
+        let report = SolveReport::unread(args.solver, LimitReached::Cancelled.to_string());
+        // Only texts, numbers and lists: writing them cannot fail.
+        print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
+    } else {
+        let limit = LimitReached::Cancelled;
+        print(&format!("limit: the problem was not read to its end\nstopped: {limit}\n"))?;
+    }
+    Ok(LIMIT)
+}
+
 /// Options that the solver does not heed are no error, so that solvers can be compared under the
 /// same ones, but they are not passed over in silence.
 fn say_unused(args: &SolveArgs) {
@@ -68,7 +85,7 @@ fn say_unused(args: &SolveArgs) {
     for (option, given) in unused {
         if *given {
             let solver = args.solver.name();
-            eprintln!("mo-copp: note: {option} is not used by the solver {solver}");
+            note(&format!("note: {option} is not used by the solver {solver}"));
         }
     }
 }

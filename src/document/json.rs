@@ -1,18 +1,16 @@
 //! A JSON value in which no key of an object is lost.
 
+use std::cell::Cell;
 use std::fmt;
 
 use rustc_hash::FxHashSet;
-use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 
 use super::DocumentError;
-use super::syntax::{TWICE, explained};
+use super::syntax::{TOO_MANY, TWICE, explained};
+use crate::limits::{MAX_TEXT_BYTES, MAX_VALUES};
 
-/// The longest text that is read. A value takes up to 16 times as much memory as its text, and up to
-/// three times that while a list grows.
-pub const MAX_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 32 << 20 };
-
-/// A JSON value.
+/// A JSON value. Values take no more room than they need: a document may hold millions.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Json {
     /// `null`
@@ -20,30 +18,38 @@ pub enum Json {
     /// `true` or `false`
     Bool(bool),
     /// A whole number.
-    Integer(i128),
+    Integer(i64),
+    /// A whole number that is too large for [`Json::Integer`].
+    Large(u64),
     /// Any other number.
     Float(f64),
     /// Text.
-    Text(String),
+    Text(Box<str>),
     /// A list.
-    Array(Vec<Json>),
+    Array(Box<[Json]>),
     /// Keys and values, in the order of the document.
-    Object(Vec<(String, Json)>),
+    Object(Box<[(Box<str>, Json)]>),
 }
 
 impl Json {
-    /// Reads a text.
+    /// Reads a text. Values are counted while they are read, so that memory is bounded before there
+    /// is too little of it.
     ///
     /// # Errors
     ///
-    /// [`DocumentError::Syntax`] with line and column; a key given twice is one.
+    /// [`DocumentError::Invalid`] where the text is longer than [`MAX_TEXT_BYTES`],
+    /// [`DocumentError::Syntax`] with line and column elsewhere; a key given twice and more than
+    /// [`MAX_VALUES`] values are such errors.
     pub fn parse(text: &str) -> Result<Self, DocumentError> {
-        if text.len() > MAX_BYTES {
+        if text.len() > MAX_TEXT_BYTES {
             let found = format!("{} MiB of text", text.len() >> 20);
-            let expected = format!("at most {} MiB", MAX_BYTES >> 20);
+            let expected = format!("at most {} MiB", MAX_TEXT_BYTES >> 20);
             return Err(DocumentError::invalid("document", found, expected));
         }
-        serde_json::from_str(text).map_err(|error| explained(text, &error))
+        let mut reader = serde_json::Deserializer::from_str(text);
+        let read = Values { left: &Cell::new(MAX_VALUES) }.deserialize(&mut reader);
+        let whole = read.and_then(|json| reader.end().map(|()| json));
+        whole.map_err(|error| explained(text, &error))
     }
 }
 
@@ -55,6 +61,7 @@ impl fmt::Display for Json {
             Self::Null => f.write_str("null"),
             Self::Bool(value) => write!(f, "{value}"),
             Self::Integer(value) => write!(f, "{value}"),
+            Self::Large(value) => write!(f, "{value}"),
             // A whole number written as 8.0 must not look like 8, nor 1e300 take 301 digits.
             Self::Float(value) => write!(f, "{value:?}"),
             Self::Text(text) => write!(f, "{}", quoted(text)),
@@ -87,15 +94,25 @@ pub fn quoted(text: &str) -> String {
     format!("{:?}", begin + "…")
 }
 
-impl<'de> Deserialize<'de> for Json {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(JsonVisitor)
+/// Reads values, as long as some are left.
+#[derive(Clone, Copy)]
+struct Values<'c> {
+    left: &'c Cell<usize>,
+}
+
+impl<'de> DeserializeSeed<'de> for Values<'_> {
+    type Value = Json;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Json, D::Error> {
+        let Some(left) = self.left.get().checked_sub(1) else {
+            return Err(D::Error::custom(TOO_MANY));
+        };
+        self.left.set(left);
+        deserializer.deserialize_any(self)
     }
 }
 
-struct JsonVisitor;
-
-impl<'de> Visitor<'de> for JsonVisitor {
+impl<'de> Visitor<'de> for Values<'_> {
     type Value = Json;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -111,11 +128,11 @@ impl<'de> Visitor<'de> for JsonVisitor {
     }
 
     fn visit_i64<E>(self, value: i64) -> Result<Json, E> {
-        Ok(Json::Integer(value.into()))
+        Ok(Json::Integer(value))
     }
 
     fn visit_u64<E>(self, value: u64) -> Result<Json, E> {
-        Ok(Json::Integer(value.into()))
+        Ok(i64::try_from(value).map_or(Json::Large(value), Json::Integer))
     }
 
     fn visit_f64<E>(self, value: f64) -> Result<Json, E> {
@@ -123,32 +140,32 @@ impl<'de> Visitor<'de> for JsonVisitor {
     }
 
     fn visit_str<E>(self, value: &str) -> Result<Json, E> {
-        Ok(Json::Text(value.to_owned()))
+        Ok(Json::Text(value.into()))
     }
 
     fn visit_string<E>(self, value: String) -> Result<Json, E> {
-        Ok(Json::Text(value))
+        Ok(Json::Text(value.into()))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Json, A::Error> {
         let mut array = Vec::new();
-        while let Some(item) = items.next_element()? {
+        while let Some(item) = items.next_element_seed(self)? {
             array.push(item);
         }
-        Ok(Json::Array(array))
+        Ok(Json::Array(array.into()))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Json, A::Error> {
-        let mut object: Vec<(String, Json)> = Vec::new();
+        let mut object: Vec<(Box<str>, Json)> = Vec::new();
         let mut seen = FxHashSet::default();
-        while let Some(key) = entries.next_key::<String>()? {
+        while let Some(key) = entries.next_key::<Box<str>>()? {
             if !seen.insert(key.clone()) {
                 let (before, after) = TWICE;
                 return Err(A::Error::custom(format!("{before}{}{after}", quoted(&key))));
             }
-            object.push((key, entries.next_value()?));
+            object.push((key, entries.next_value_seed(self)?));
         }
-        Ok(Json::Object(object))
+        Ok(Json::Object(object.into()))
     }
 }
 
@@ -163,6 +180,11 @@ mod tests {
             error,
             "line 2, column 4: found the key \"a\" for the second time, expected each key once"
         );
+    }
+
+    #[test]
+    fn a_value_is_three_words() {
+        assert!(size_of::<Json>() <= 24);
     }
 
     #[test]

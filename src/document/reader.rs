@@ -2,6 +2,7 @@
 
 use super::DocumentError;
 use super::json::Json;
+use super::name;
 
 /// A value and its place in the document.
 #[derive(Debug, Clone)]
@@ -13,7 +14,7 @@ pub struct Reader<'a> {
 /// An object whose keys have been checked.
 #[derive(Debug, Clone)]
 pub struct Fields<'a> {
-    entries: &'a [(String, Json)],
+    entries: &'a [(Box<str>, Json)],
     path: String,
 }
 
@@ -57,25 +58,22 @@ impl<'a> Reader<'a> {
     /// The value is no object, or it has another key.
     pub fn fields(&self, known: &[&str]) -> Result<Fields<'a>, DocumentError> {
         let fields = self.entries()?;
-        match fields.entries.iter().find(|(key, _)| !known.contains(&key.as_str())) {
+        match fields.entries.iter().find(|(key, _)| !known.contains(&&**key)) {
             None => Ok(fields),
             Some((key, _)) => Err(DocumentError::UnknownKey {
                 path: self.path().to_owned(),
-                key: key.clone(),
+                key: key.to_string(),
                 known: known.join(", "),
             }),
         }
     }
 
-    /// The items of a list.
-    ///
-    /// # Errors
-    ///
-    /// The value is no list.
-    pub fn items(&self) -> Result<Vec<Reader<'a>>, DocumentError> {
-        let Json::Array(items) = self.value else { return Err(self.expected("a list")) };
-        let item = |(i, value)| Reader { value, path: format!("{}[{i}]", self.path) };
-        Ok(items.iter().enumerate().map(item).collect())
+    /// The items of a list of `N`; none where the value is something else.
+    pub fn array<const N: usize>(&self) -> Option<[Reader<'a>; N]> {
+        let Json::Array(items) = self.value else { return None };
+        let items: &'a [Json; N] = (**items).try_into().ok()?;
+        let item = |i: usize| Reader { value: &items[i], path: format!("{}[{i}]", self.path) };
+        Some(std::array::from_fn(item))
     }
 
     /// Reads each item of a list.
@@ -88,10 +86,13 @@ impl<'a> Reader<'a> {
         mut read: impl FnMut(&Reader<'a>) -> Result<T, DocumentError>,
     ) -> Result<Vec<T>, DocumentError> {
         let Json::Array(items) = self.value else { return Err(self.expected("a list")) };
-        // One item at a time: a place for each of a million items would take far more memory than
-        // the items.
-        let item = |(i, value)| Reader { value, path: format!("{}[{i}]", self.path) };
-        items.iter().enumerate().map(item).map(|item| read(&item)).collect()
+        // One item at a time, into a list that need not grow: a place for each of a million items
+        // would take far more memory than the items.
+        let mut list = Vec::with_capacity(items.len());
+        for (index, value) in items.iter().enumerate() {
+            list.push(read(&Reader { value, path: format!("{}[{index}]", self.path) })?);
+        }
+        Ok(list)
     }
 
     /// A text that is not empty.
@@ -104,6 +105,17 @@ impl<'a> Reader<'a> {
             Json::Text(text) if !text.is_empty() => Ok(text),
             _ => Err(self.expected("a text that is not empty")),
         }
+    }
+
+    /// A name or a symbol, which is shown to people: a text that can be seen as it is.
+    ///
+    /// # Errors
+    ///
+    /// The value is something else, is blank when shown, or holds a sign that is hidden (see
+    /// [`is_hidden`](super::is_hidden)).
+    pub fn name(&self) -> Result<&'a str, DocumentError> {
+        let name = self.text()?;
+        name::check(self.path(), name).map(|()| name)
     }
 
     /// `true` or `false`.
@@ -141,7 +153,7 @@ impl<'a> Fields<'a> {
 
     /// The value of a key, where it is there.
     pub fn optional(&self, key: &str) -> Option<Reader<'a>> {
-        let (_, value) = self.entries.iter().find(|(known, _)| known == key)?;
+        let (_, value) = self.entries.iter().find(|(known, _)| **known == *key)?;
         Some(Reader { value, path: self.path_of(key) })
     }
 
@@ -155,10 +167,22 @@ impl<'a> Fields<'a> {
         self.optional(key).ok_or_else(missing)
     }
 
+    /// All keys, which are names, and values.
+    ///
+    /// # Errors
+    ///
+    /// A key is blank when shown, or holds a sign that is hidden.
+    pub fn named(&self) -> Result<impl Iterator<Item = (&'a str, Reader<'a>)> + '_, DocumentError> {
+        for (key, _) in self.entries {
+            name::check(if self.path.is_empty() { "document" } else { &self.path }, key)?;
+        }
+        Ok(self.all())
+    }
+
     /// All keys and values.
     pub fn all(&self) -> impl Iterator<Item = (&'a str, Reader<'a>)> + '_ {
-        let reader = |(key, value): &'a (String, Json)| {
-            (key.as_str(), Reader { value, path: self.path_of(key) })
+        let reader = |(key, value): &'a (Box<str>, Json)| {
+            (&**key, Reader { value, path: self.path_of(key) })
         };
         self.entries.iter().map(reader)
     }

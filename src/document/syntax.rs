@@ -5,12 +5,16 @@
 use serde_json::Error;
 
 use super::DocumentError;
+use crate::limits::MAX_VALUES;
 
 /// Longer excerpts are cut off.
 const SHOWN: usize = 20;
 
 /// How `Json` says that a key is given twice: before and after the key.
 pub(super) const TWICE: (&str, &str) = ("the key ", " is given twice");
+
+/// How `Json` says that there are more values than it takes.
+pub(super) const TOO_MANY: &str = "too many values";
 
 /// What is wrong with `text`, which `serde_json` refused.
 pub(super) fn explained(text: &str, error: &Error) -> DocumentError {
@@ -49,6 +53,7 @@ fn words(rule: &str, place: &Place<'_>) -> (String, String) {
         "recursion limit exceeded" => {
             instead("lists and objects too deep inside of each other", "at most 127 levels")
         }
+        TOO_MANY => instead(&format!("more than {MAX_VALUES} values"), "at most that"),
         _ if rule.contains("control character") => instead(
             "a line break or a tab inside of a text in double quotes",
             "the double quote that ends it, or \\n and \\t",

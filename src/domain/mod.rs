@@ -112,7 +112,7 @@ impl Document {
         let reader = Reader::new(&json);
         let format = reader.entries()?.required("format", EXPECTED)?;
         let Json::Text(name) = format.value() else { return Err(format.expected(EXPECTED)) };
-        match name.as_str() {
+        match &**name {
             "gridworld" => Gridworld::read(&reader).map(Self::Gridworld),
             "box-pushing" => BoxPushing::read(&reader).map(Self::BoxPushing),
             "recycling-robot" => RecyclingRobot::read(&reader).map(Self::RecyclingRobot),

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::document::DocumentError;
 use crate::document::reader::{Fields, Reader};
+use crate::document::{DocumentError, Names};
 use crate::problem::{MAX_GOALS, ProblemError, Role};
 
 /// Something for each of the two observers.
@@ -42,12 +42,9 @@ pub(super) fn true_goal(names: &[&str], true_goal: &str) -> Result<usize, Docume
         let found = format!("{} candidate goals", names.len());
         return Err(DocumentError::invalid("goals", found, format!("2 to {MAX_GOALS}")));
     }
+    let mut known = Names::default();
     for (index, name) in names.iter().enumerate() {
-        if names[..index].contains(name) {
-            let found = format!("the goal name {name:?} for the second time");
-            let path = format!("goals[{index}].name");
-            return Err(DocumentError::invalid(path, found, "a name of its own"));
-        }
+        known.add(name, "the goal name", || format!("goals[{index}].name"))?;
     }
     names.iter().position(|name| *name == true_goal).ok_or_else(|| {
         let expected = format!("the name of a candidate goal: {}", listed(names));

@@ -1,8 +1,8 @@
 //! Heuristics: estimates of how far a goal is.
 //!
 //! - [`set_additive`] is the set-additive heuristic of a state,
-//! - [`goal_values`] remembers it for every candidate goal and every state met, and derives from it
-//!   how far each goal is from a belief.
+//! - [`goal_values`] remembers it for every candidate goal and every state asked about;
+//!   what a belief is worth follows from its states in the solvers.
 
 pub mod goal_values;
 pub mod set_additive;

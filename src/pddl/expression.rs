@@ -6,9 +6,7 @@
 //! also without a blank before it, as in `(at aircraft?a)`, which other planners read so.
 
 use super::error::{PddlError, place, quoted};
-
-/// The longest text that is read, in bytes.
-pub const MAX_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 32 << 20 };
+use crate::limits::MAX_TEXT_BYTES;
 
 /// How deep parentheses may be nested. Classic domains need six; readers of conditions recurse.
 pub const MAX_DEPTH: usize = 64;
@@ -49,9 +47,14 @@ pub(super) struct Expressions<'t> {
 impl<'a> Tree<'a> {
     /// Reads a text of any number of expressions. Linear in its length.
     pub(super) fn read(text: &'a str) -> Result<Self, PddlError> {
-        if text.len() > MAX_BYTES {
+        if text.len() > MAX_TEXT_BYTES {
             let found = format!("{} MiB of text", text.len() >> 20);
-            return Err(PddlError::at(text, 0, found, format!("at most {} MiB", MAX_BYTES >> 20)));
+            return Err(PddlError::at(
+                text,
+                0,
+                found,
+                format!("at most {} MiB", MAX_TEXT_BYTES >> 20),
+            ));
         }
         let mut nodes = Vec::new();
         let mut open: Vec<usize> = Vec::new();

@@ -13,8 +13,8 @@ use super::object::{ObjectId, Objects};
 use super::predicate::PredicateId;
 use super::rule::Rule;
 
-/// Atoms and inequalities tried in all joins together, at most. Some seconds of work.
-pub const MAX_JOIN_STEPS: u64 = if cfg!(target_arch = "wasm32") { 50_000_000 } else { 400_000_000 };
+/// Atoms and inequalities tried in all joins together, at most. About a second of work.
+pub const MAX_JOIN_STEPS: u64 = if cfg!(target_arch = "wasm32") { 50_000_000 } else { 100_000_000 };
 
 /// Atoms by predicate, and by predicate, place and object.
 #[derive(Debug, Default)]

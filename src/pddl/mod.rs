@@ -55,7 +55,7 @@ pub use definition::{
 pub use domain::{Domain, read_domain};
 pub use effect::ConditionalEffect;
 pub use error::PddlError;
-pub use expression::{MAX_BYTES, MAX_DEPTH};
+pub use expression::MAX_DEPTH;
 pub use formula::{Bound, Formula};
 pub use ground::{
     GroundError, Grounded, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS, MAX_STATE_BYTES, More,

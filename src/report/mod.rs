@@ -17,7 +17,7 @@ pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 use crate::goal_difference::GoalSet;
 use crate::plan::{NextAction, Plan, PlanError};
 use crate::problem::{Problem, StateLabel, StateNaming};
-use crate::solver::{LengthPoint, Outcome, Progress, Solver, Stats};
+use crate::solver::{LengthPoint, Outcome, Progress, Solver, Stats, Status};
 use crate::task::State;
 use crate::trace::{Passing, Trace, pass, trace};
 
@@ -218,6 +218,29 @@ fn goal_names(problem: &Problem, set: &GoalSet) -> Vec<String> {
 }
 
 impl SolveReport {
+    /// The report of a solver that was stopped before there was a problem to work on.
+    pub fn unread(solver: Solver, limit: impl Into<String>) -> Self {
+        Self {
+            status: Status::Limit.name(),
+            solver: solver.name(),
+            encoding: None,
+            horizon: None,
+            plan: None,
+            cost: None,
+            goals: None,
+            goal_difference: None,
+            bound: None,
+            gap: None,
+            length_proved: None,
+            pareto: None,
+            pareto_complete: None,
+            lengths: None,
+            limit: Some(limit.into()),
+            remedy: None,
+            stats: StatsReport::new(solver, &Stats::default()),
+        }
+    }
+
     /// The report of an outcome.
     pub fn new(problem: &Problem, outcome: &Outcome) -> Self {
         let task = problem.task();

@@ -45,8 +45,8 @@ pub fn read_options(text: &str, problem: &Problem) -> Result<Options, DocumentEr
     }
     if let Some(horizon) = fields.optional("horizon") {
         options.horizon = match horizon.value() {
-            Json::Text(text) if text == "any" => Horizon::Any,
-            Json::Integer(_) => Horizon::Steps(steps(&horizon)?),
+            Json::Text(text) if **text == *"any" => Horizon::Any,
+            Json::Integer(_) | Json::Large(_) => Horizon::Steps(steps(&horizon)?),
             _ => return Err(horizon.expected("a number of steps, or any")),
         };
     }
@@ -83,7 +83,7 @@ fn one_of<T: Copy>(
     name: impl Fn(T) -> &'static str,
 ) -> Result<T, DocumentError> {
     let found = match reader.value() {
-        Json::Text(text) => all.iter().find(|&&value| name(value) == text),
+        Json::Text(text) => all.iter().find(|&&value| name(value) == &**text),
         _ => None,
     };
     found.copied().ok_or_else(|| {

@@ -144,7 +144,7 @@ impl Task {
         self.layout.holding(words)
     }
 
-    /// Calls `visit` with every operator applicable in a packed state, in the order of their ids.
+    /// Writes every operator applicable in a packed state into `found`, in the order of their ids.
     pub fn applicable(&self, words: &[u64], found: &mut Vec<OperatorId>) {
         self.successors.applicable(&self.layout, words, found);
     }

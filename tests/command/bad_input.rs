@@ -1,6 +1,6 @@
 //! What a user can get wrong: exit code 2 and one message with the place.
 
-use crate::{DELIVERY, EXPLICIT, GRID, mo_copp};
+use crate::{DELIVERY, EXPLICIT, GRID, mo_copp, with_input};
 
 /// A change to a document, and what the message says.
 type Case = (&'static str, &'static str, &'static str);
@@ -343,6 +343,47 @@ fn what_is_too_large_is_refused_before_memory_runs_out() {
     let ran = mo_copp(&blind, &["trace", "-", "--plan", &plan]);
     assert_eq!((ran.code, ran.out.as_str()), (3, ""), "{}", ran.err);
     assert!(ran.err.starts_with("mo-copp: trace limit reached at step "), "{}", ran.err);
+}
+
+/// Documents that are small as text and large as values, in a process that may have little memory.
+#[cfg(target_os = "linux")]
+#[test]
+fn small_texts_of_many_values_are_refused_in_bounded_memory() {
+    let lists = format!("[{}[0]]", "[0],".repeat((8 << 20) - 2));
+    let empty = PDDL.replace("BELIEF", &format!("[{}{{}}]", "[],".repeat(5_000_000)));
+    let goals =
+        format!("{{\"format\": \"explicit\", \"states\": [{}\"s\"]}}", "\"s\",".repeat(3_900_000));
+    for (document, message) in [
+        (lists, "found more than 4000000 values, expected at most that"),
+        (empty, "found more than 4000000 values, expected at most that"),
+        (goals, "actions: found nothing, expected a list of action names"),
+    ] {
+        let mut command = std::process::Command::new("sh");
+        let limited = "ulimit -v 800000; exec \"$0\" solve -";
+        command.args(["-c", limited, env!("CARGO_BIN_EXE_mo-copp")]);
+        let ran = with_input(command, &document);
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{}", ran.err);
+        assert!(ran.err.contains(message), "{}", ran.err);
+    }
+}
+
+/// A document in PDDL, in which BELIEF stands for what the enemy believes.
+const PDDL: &str = r#"{"format": "pddl", "domain": "(define (domain d) (:predicates (p) (q)) (:action a :effect (p)) (:action b :effect (q)))",
+ "problem": "(define (problem t) (:domain d) (:init))", "true_goal": "p",
+ "goals": [{"name": "p", "condition": "(p)"}, {"name": "q", "condition": "(q)"}],
+ "observers": {"adversarial": {"initial_belief": BELIEF, "sensor": "{name}"}, "cooperative": {"sensor": "{name}"}}}"#;
+
+/// As many beliefs as are read are worked with.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_belief_of_millions_of_equal_states_takes_bounded_memory() {
+    let states = PDDL.replace("BELIEF", &format!("[{}{{}}]", "[],".repeat(3_500_000)));
+    let mut command = std::process::Command::new("sh");
+    let limited = "ulimit -v 800000; exec \"$0\" solve - --json";
+    command.args(["-c", limited, env!("CARGO_BIN_EXE_mo-copp")]);
+    let ran = with_input(command, &states);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert_eq!(ran.json()["status"], "optimal");
 }
 
 #[test]

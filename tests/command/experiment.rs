@@ -91,6 +91,47 @@ fn what_makes_no_sense_is_refused() {
     assert!(missing.err.starts_with("mo-copp: nowhere.jsonl: "), "{}", missing.err);
 }
 
+#[cfg(unix)]
+#[test]
+fn names_of_folders_cannot_steer_the_terminal() {
+    let out = folder("experiment-hostile").join("\u{1b}[31mred \u{202e}");
+    for more in [&[][..], &["--shard", "1/2"]] {
+        let ran = fig3("1", &out, more);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        assert!(!ran.err.contains(['\u{1b}', '\u{202e}']), "{:?}", ran.err);
+        assert!(ran.err.contains("\\u{1b}[31mred \\u{202e}"), "{}", ran.err);
+    }
+    assert!(out.join("records.jsonl").is_file());
+}
+
+/// No file may grow beyond a few kilobytes, as on a disk that is full.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_said_of_the_right_file_and_nothing_is_left_behind() {
+    let out = folder("experiment-full");
+    assert_eq!(fig3("30", &out, &[]).code, 0);
+    let records = out.join("records.jsonl");
+    let before = std::fs::read(&records).unwrap();
+    assert!(before.len() > 20 << 10);
+    let parts = out.join("merged");
+    std::fs::create_dir_all(&parts).unwrap();
+    std::fs::write(parts.join("records.jsonl"), "old").unwrap();
+    let mut command = Command::new("sh");
+    let limited = "trap '' XFSZ; ulimit -f 8; exec \"$0\" experiment merge \"$1\" --out \"$2\"";
+    command.args(["-c", limited, env!("CARGO_BIN_EXE_mo-copp")]).args([&records, &parts]);
+    let ran = ran(command.output().unwrap());
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{}", ran.err);
+    let new = parts.join("records.jsonl.new");
+    assert!(
+        ran.err.starts_with(&format!("mo-copp: {}: File too large", new.display())),
+        "{}",
+        ran.err
+    );
+    assert!(!new.exists());
+    assert_eq!(std::fs::read(parts.join("records.jsonl")).unwrap(), b"old");
+    assert_eq!(std::fs::read(&records).unwrap(), before);
+}
+
 #[test]
 fn help_shows_examples() {
     let help = mo_copp("", &["experiment", "--help"]);

@@ -53,6 +53,40 @@ fn an_integer_program_in_its_root_is_left_behind() {
     assert!(took < Duration::from_secs(30), "{took:?}");
 }
 
+/// The document has not come to its end: the process still waits for it.
+#[test]
+fn a_document_that_is_still_read_is_left_behind() {
+    for (arguments, signal) in [
+        (&["solve", "-", "--json"][..], "-INT"),
+        (&["solve", "-"][..], "-TERM"),
+        (&["trace", "-", "--plan", "north"][..], "-INT"),
+        (&["encode", "-", "--horizon", "3"][..], "-INT"),
+        (&["plan", "-", "nowhere.pddl", "--json"][..], "-INT"),
+    ] {
+        let mut child = command(arguments).spawn().unwrap();
+        let mut stdin = child.stdin.take().unwrap();
+        stdin.write_all(b"{\"format\": \"gridworld\", ").unwrap();
+        std::thread::sleep(Duration::from_millis(1500));
+        let begin = Instant::now();
+        let kill = Command::new("kill").args([signal, &child.id().to_string()[..]]).status();
+        assert!(kill.unwrap().success());
+        let ran = ran(child.wait_with_output().unwrap());
+        assert_eq!(ran.code, 3, "{arguments:?}: {}{}", ran.out, ran.err);
+        assert!(begin.elapsed() < Duration::from_secs(30), "{:?}", begin.elapsed());
+        assert!((ran.out + &ran.err).contains("stopped on request"), "{arguments:?}");
+        drop(stdin);
+    }
+    let mut child = command(&["solve", "-", "--json", "--solver", "search"]).spawn().unwrap();
+    let stdin = child.stdin.take().unwrap();
+    std::thread::sleep(Duration::from_millis(1500));
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()[..]]).status();
+    assert!(kill.unwrap().success());
+    let json = ran(child.wait_with_output().unwrap()).json();
+    assert_eq!((&json["status"], &json["solver"]), (&"limit".into(), &"search".into()), "{json}");
+    assert!(json["plan"].is_null() && json["goals"].is_null(), "{json}");
+    drop(stdin);
+}
+
 /// As schedulers do: the process and its group are told, so that it hears the same wish twice.
 #[test]
 fn two_signals_at_once_are_one_wish() {

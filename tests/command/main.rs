@@ -72,7 +72,13 @@ pub fn command(arguments: &[&str]) -> Command {
 
 /// Runs it with a document on the standard input.
 pub fn mo_copp(document: &str, arguments: &[&str]) -> Ran {
-    let mut child = command(arguments).spawn().unwrap();
+    with_input(command(arguments), document)
+}
+
+/// Runs a command with a document on the standard input.
+pub fn with_input(mut command: Command, document: &str) -> Ran {
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
     // A command that refuses its arguments does not read the document.
     let _ = child.stdin.take().unwrap().write_all(document.as_bytes());
     ran(child.wait_with_output().unwrap())

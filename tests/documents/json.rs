@@ -1,11 +1,28 @@
 //! What every format has in common.
 
+use mo_copp::limits::MAX_VALUES;
+
 use super::message;
 
 #[test]
 fn texts_that_are_too_long() {
     let message = message(&" ".repeat(33 << 20));
     assert_eq!(message, "document: found 33 MiB of text, expected at most 32 MiB");
+}
+
+#[test]
+fn texts_of_too_many_values() {
+    let lists = |count: usize| format!("[\n{}[]]", "[0],".repeat(count));
+    // Two values a list, and the outer list and its last item.
+    let most = (MAX_VALUES - 2) / 2;
+    assert!(message(&lists(most)).starts_with("document: found [[0], "), "as many as are allowed");
+    let column = 4 * most + 1;
+    assert_eq!(
+        message(&lists(most + 1)),
+        format!(
+            "line 2, column {column}: found more than {MAX_VALUES} values, expected at most that"
+        )
+    );
 }
 
 /// Holds each text's message against the one expected.

@@ -7,6 +7,7 @@ mod explicit;
 mod fuzz;
 mod gridworld;
 mod json;
+mod names;
 pub mod pddl;
 mod pddl_leniency;
 mod places;

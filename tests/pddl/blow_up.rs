@@ -60,6 +60,24 @@ fn a_search_for_nothing() {
     assert!(matches!(found, GroundError::Steps { .. }), "{found}");
 }
 
+/// Twelve objects that must all differ, of eleven: the work is bounded, and about a second.
+#[test]
+fn a_search_for_nothing_ends_soon() {
+    let count = 12;
+    let pairs = (0..count).flat_map(|one| (0..one).map(move |other| (one, other)));
+    let unequal: String =
+        pairs.map(|(one, other)| format!(" (not (= ?x{one} ?x{other}))")).collect();
+    let action = format!(
+        ":parameters ({}) :precondition (and {unequal}) :effect (q ?x0)",
+        numbered(count, "?x")
+    );
+    let found = error("(q ?x)", &action, count - 1, "");
+    assert_eq!(
+        found.to_string(),
+        "grounding limit reached: 100000000 atoms and inequalities tried against preconditions"
+    );
+}
+
 /// Many literals in many operators.
 #[test]
 fn literals_in_all() {

@@ -12,14 +12,14 @@ type Table = &'static [(&'static str, &'static [&'static str])];
 const MODULES: Table = &[
     ("task", &[]),
     ("limits", &[]),
-    ("pddl", &["task"]),
+    ("pddl", &["limits", "task"]),
     ("plan", &["task"]),
     ("sensor", &["task"]),
     ("belief", &["limits", "sensor", "task"]),
     ("goal_difference", &["belief", "task"]),
     ("problem", &["belief", "goal_difference", "limits", "sensor", "task"]),
     ("trace", &["goal_difference", "plan", "problem", "task"]),
-    ("document", &[]),
+    ("document", &["limits"]),
     ("domain", &["document", "pddl", "problem", "sensor", "task"]),
     ("heuristic", &["problem", "task"]),
     (
@@ -44,7 +44,7 @@ const MODULES: Table = &[
         "experiment",
         &["document", "domain", "goal_difference", "limits", "plan", "problem", "solver"],
     ),
-    ("bindings", &["document", "domain", "plan", "problem", "report", "solver", "trace"]),
+    ("bindings", &["document", "domain", "limits", "plan", "problem", "report", "solver", "trace"]),
     (
         "cli",
         &[

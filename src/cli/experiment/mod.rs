@@ -11,7 +11,7 @@ use mo_copp::experiment::{
 };
 
 use super::error::CliError;
-use super::{LIMIT, print};
+use super::{LIMIT, note, print};
 use args::{ExperimentArgs, ExperimentCommand, MergeArgs, RunArgs};
 use progress::Watch;
 
@@ -76,13 +76,13 @@ fn figure<T: clap::Args>(args: &RunArgs<T>, mut setting: Setting) -> Result<u8, 
     drop(records);
     if !complete {
         let (done, all) = (entries.len(), jobs.len());
-        eprintln!("mo-copp: stopped with {done} of {all} records in {}", path.display());
-        eprintln!("mo-copp: the same command goes on from there");
+        note(&format!("stopped with {done} of {all} records in {}", path.display()));
+        note("the same command goes on from there");
         return Ok(LIMIT);
     }
     write_sorted(&path, &header, &entries)?;
     if args.shard.is_some() {
-        eprintln!("mo-copp: shard {shard} is complete: {}", path.display());
+        note(&format!("shard {shard} is complete: {}", path.display()));
         return Ok(0);
     }
     conclude(&folder, &setting, &entries)
@@ -101,6 +101,6 @@ fn conclude(folder: &Path, setting: &Setting, entries: &Entries) -> Result<u8, C
     let summary = Summary::new(setting, entries);
     output::write(folder, &summary, entries)?;
     print(&output::markdown(&summary))?;
-    eprintln!("mo-copp: records, tables and figures are in {}", folder.display());
+    note(&format!("records, tables and figures are in {}", folder.display()));
     Ok(0)
 }

@@ -9,14 +9,13 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use mo_copp::experiment::{Job, Told};
 
-use crate::cli::LIMIT;
-use crate::cli::progress::Insistence;
+use crate::cli::{LIMIT, interrupt};
 
 /// How long solvers may take to stop after Ctrl-C before they are left behind: one step of an
 /// integer program cannot be cut. Every record is in the file the moment it is made, so nothing is
 /// lost.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// How often the bar is drawn.
+/// How often the bar is drawn, and looked whether to stop.
 const EVERY: Duration = Duration::from_millis(200);
 /// So many names of jobs at work are shown.
 const SHOWN: usize = 3;
@@ -31,22 +30,15 @@ pub struct Watch {
 impl Watch {
     /// A bar for so many jobs, of which some are done, and a handler of Ctrl-C.
     pub fn new(jobs: usize, done: usize) -> Self {
-        let stop = Arc::new(AtomicBool::new(false));
+        let stop = interrupt::stop();
         let on_signal = Arc::clone(&stop);
-        // Without a handler Ctrl-C ends the process, which is no worse.
-        let mut insisted = Insistence::default();
-        let _ = ctrlc::set_handler(move || {
-            if insisted.again() {
-                std::process::exit(i32::from(LIMIT));
+        thread::spawn(move || {
+            while !on_signal.load(Ordering::SeqCst) {
+                thread::sleep(EVERY);
             }
-            if on_signal.swap(true, Ordering::SeqCst) {
-                return;
-            }
-            thread::spawn(|| {
-                thread::sleep(PATIENCE);
-                eprintln!("mo-copp: stopped; the same command goes on from there");
-                std::process::exit(i32::from(LIMIT));
-            });
+            thread::sleep(PATIENCE);
+            eprintln!("mo-copp: stopped; the same command goes on from there");
+            std::process::exit(i32::from(LIMIT));
         });
         let bar = ProgressBar::new(jobs as u64).with_position(done as u64);
         let template = "{elapsed_precise} {bar:30} {pos}/{len} {eta_precise} left  {msg}";

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Delivery, DeliveryObserver, LoadSymbols, MAX_PACKAGES};
-use crate::document::DocumentError;
+use crate::document::{DocumentError, Names};
 use crate::domain::observers::{listed, true_goal, unexpected};
 use crate::problem::{Goal, MAX_GOALS, Observer, Problem, StateNaming};
 use crate::sensor::{Sensor, SensorBuilder};
@@ -70,15 +70,8 @@ impl Delivery {
     /// All packages, each with a name of its own.
     fn packages(&self) -> Result<Vec<Package<'_>>, DocumentError> {
         let mut packages: Vec<Package<'_>> = Vec::new();
-        let mut names: Vec<&str> = Vec::new();
-        let mut take = |name, path: &str| {
-            if names.contains(&name) {
-                let found = format!("the name {name:?} for the second time");
-                return Err(DocumentError::invalid(path, found, "a name of its own"));
-            }
-            names.push(name);
-            Ok(())
-        };
+        let mut names = Names::default();
+        let mut take = |name, path: &str| names.add(name, "the name", || path.to_owned());
         for (index, factory) in self.factories.iter().enumerate() {
             take(&factory.name, &format!("factories[{index}].name"))?;
             for (position, name) in factory.packages.iter().enumerate() {
@@ -220,6 +213,13 @@ impl Delivery {
                 return Err(DocumentError::invalid(path, format!("{name:?}"), expected));
             }
         }
+        let mut shapes = Names::default();
+        if let LoadSymbols::Each(symbols) = &observer.sensor.load {
+            for (name, symbol) in symbols {
+                shapes.add_symbol(symbol, || format!("{path}.sensor.load.{name}"))?;
+            }
+        }
+        shapes.add_symbol(&observer.sensor.deliver, || format!("{path}.sensor.deliver"))?;
         let mut builder = SensorBuilder::new(task);
         for (id, operator) in task.operator_ids() {
             let name = task.action_name(operator.action);

@@ -32,9 +32,9 @@ impl Delivery {
 
 fn factory(reader: &Reader<'_>) -> Result<Factory, DocumentError> {
     let fields = reader.fields(&["name", "packages"])?;
-    let text = |reader: &Reader<'_>| reader.text().map(str::to_owned);
+    let text = |reader: &Reader<'_>| reader.name().map(str::to_owned);
     Ok(Factory {
-        name: fields.required("name", "the factory's name")?.text()?.to_owned(),
+        name: fields.required("name", "the factory's name")?.name()?.to_owned(),
         packages: fields.required("packages", "a list of package names")?.list(text)?,
     })
 }
@@ -46,15 +46,15 @@ fn observer(reader: &Reader<'_>) -> Result<DeliveryObserver, DocumentError> {
         .fields(&["load", "deliver"])?;
     let load = symbols.required("load", "a symbol, or an object with a symbol for each factory")?;
     let load = match load.value() {
-        Json::Text(_) => LoadSymbols::Same(load.text()?.to_owned()),
+        Json::Text(_) => LoadSymbols::Same(load.name()?.to_owned()),
         Json::Object(_) => {
             let entry = |(name, symbol): (&str, Reader<'_>)| {
-                Ok((name.to_owned(), symbol.text()?.to_owned()))
+                Ok((name.to_owned(), symbol.name()?.to_owned()))
             };
             LoadSymbols::Each(load.entries()?.all().map(entry).collect::<Result<_, _>>()?)
         }
         _ => return Err(load.expected("a symbol, or an object with a symbol for each factory")),
     };
-    let deliver = symbols.required("deliver", "the symbol the observer sees")?.text()?.to_owned();
+    let deliver = symbols.required("deliver", "the symbol the observer sees")?.name()?.to_owned();
     Ok(DeliveryObserver { sensor: DeliverySymbols { load, deliver } })
 }

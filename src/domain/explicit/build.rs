@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Explicit, ExplicitObserver};
-use crate::document::DocumentError;
+use crate::document::{DocumentError, Names};
 use crate::domain::observers::{listed, true_goal, unexpected};
 use crate::problem::{Goal, Observer, Problem, Role, StateNaming};
 use crate::sensor::SensorBuilder;
@@ -20,15 +20,14 @@ struct Index<'a> {
 
 impl<'a> Index<'a> {
     fn new(path: &str, kind: &'static str, names: &'a [String]) -> Result<Self, DocumentError> {
-        let mut positions = FxHashMap::default();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut known = Names::default();
         for (position, name) in names.iter().enumerate() {
-            if positions.insert(name.as_str(), position).is_some() {
-                let found = format!("the name {name:?} for the second time");
-                let path = format!("{path}[{position}]");
-                return Err(DocumentError::invalid(path, found, "a name of its own"));
-            }
+            known.add(name, "the name", || format!("{path}[{position}]"))?;
         }
-        Ok(Self { kind, names: names.iter().map(String::as_str).collect(), positions })
+        let positions =
+            names.iter().enumerate().map(|(position, name)| (*name, position)).collect();
+        Ok(Self { kind, names, positions })
     }
 
     fn find(&self, name: &str, path: impl Fn() -> String) -> Result<usize, DocumentError> {
@@ -154,6 +153,7 @@ impl Explicit {
             }
         }
         let mut symbols = FxHashMap::default();
+        let mut shapes = Names::default();
         for (index, [action, state, symbol]) in observer.sensor.iter().enumerate() {
             let path = |part: usize| {
                 let path = &path;
@@ -161,6 +161,7 @@ impl Explicit {
             };
             let pair =
                 (resolved.actions.find(action, path(0))?, resolved.states.find(state, path(1))?);
+            shapes.add_symbol(symbol, path(2))?;
             if symbols.insert(pair, symbol).is_some() {
                 let found = format!("a second symbol for {action:?} resulting in {state:?}");
                 let place = format!("observers.{}.sensor[{index}]", role.name());

@@ -40,7 +40,7 @@ impl Explicit {
 }
 
 fn name(reader: &Reader<'_>) -> Result<String, DocumentError> {
-    reader.text().map(str::to_owned)
+    reader.name().map(str::to_owned)
 }
 
 fn names(reader: &Reader<'_>) -> Result<Vec<String>, DocumentError> {
@@ -49,8 +49,12 @@ fn names(reader: &Reader<'_>) -> Result<Vec<String>, DocumentError> {
 
 fn triple(reader: &Reader<'_>, expected: &str) -> Result<[String; 3], DocumentError> {
     let wrong = || reader.expected(expected);
-    let items = names(reader).map_err(|_| wrong())?;
-    items.try_into().map_err(|_| wrong())
+    let items = reader.array().ok_or_else(wrong)?;
+    if items.iter().any(|item| item.text().is_err()) {
+        return Err(wrong());
+    }
+    let [one, two, three] = items.each_ref().map(name);
+    Ok([one?, two?, three?])
 }
 
 fn goal(reader: &Reader<'_>) -> Result<ExplicitGoal, DocumentError> {

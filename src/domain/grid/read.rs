@@ -28,10 +28,9 @@ fn cells(fields: &Fields<'_>, key: &str) -> Result<Vec<Cell>, DocumentError> {
 /// Reads a cell.
 pub(in crate::domain) fn cell(reader: &Reader<'_>) -> Result<Cell, DocumentError> {
     let expected = || reader.expected("a cell [column, row] of whole numbers from 0");
-    let items = reader.items().map_err(|_| expected())?;
-    let [column, row] = items.as_slice() else { return Err(expected()) };
+    let [column, row] = reader.array().ok_or_else(expected)?;
     let number = |item: &Reader<'_>| item.integer(0..=u32::MAX).map_err(|_| expected());
-    Ok([number(column)?, number(row)?])
+    Ok([number(&column)?, number(&row)?])
 }
 
 /// Reads the `goals`.
@@ -39,7 +38,7 @@ pub(in crate::domain) fn goals(fields: &Fields<'_>) -> Result<Vec<GridGoal>, Doc
     fields.required("goals", "a list of goals")?.list(|goal| {
         let fields = goal.fields(&["name", "cell"])?;
         Ok(GridGoal {
-            name: fields.required("name", "the goal's name")?.text()?.to_owned(),
+            name: fields.required("name", "the goal's name")?.name()?.to_owned(),
             cell: cell(&fields.required("cell", "a cell")?)?,
         })
     })

@@ -3,8 +3,8 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::document::DocumentError;
 use crate::document::reader::Fields;
+use crate::document::{DocumentError, Names};
 
 /// What is expected where a symbol is missing.
 const SYMBOL: &str = "the symbol the observer sees";
@@ -52,13 +52,14 @@ impl Symbols {
         let mut symbols = Vec::with_capacity(known.len());
         for action in known {
             if required.contains(&action) || fields.optional(action).is_some() {
-                symbols.push((action, fields.required(action, SYMBOL)?.text()?.to_owned()));
+                symbols.push((action, fields.required(action, SYMBOL)?.name()?.to_owned()));
             }
         }
         Ok(Self(symbols))
     }
 
-    /// Each of these actions must have a symbol. `why` tells what makes an action possible.
+    /// Each of these actions must have a symbol, and no two of them may only look alike. `why` tells
+    /// what makes an action possible.
     pub(super) fn check(
         &self,
         path: &str,
@@ -66,7 +67,13 @@ impl Symbols {
         why: &str,
     ) -> Result<(), DocumentError> {
         match actions.iter().find(|action| self.get(action).is_none()) {
-            None => Ok(()),
+            None => {
+                let mut shapes = Names::default();
+                for (action, symbol) in &self.0 {
+                    shapes.add_symbol(symbol, || format!("{path}.sensor.{action}"))?;
+                }
+                Ok(())
+            }
             Some(action) => {
                 let path = format!("{path}.sensor.{action}");
                 Err(DocumentError::invalid(path, "nothing", format!("{SYMBOL}{why}")))

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use fixedbitset::FixedBitSet;
+use indexmap::IndexSet;
+use rustc_hash::FxBuildHasher;
 
 use super::build::{Texts, at, limit};
 use super::{Pddl, PddlBelief, PddlObserver, PddlState};
@@ -57,22 +59,25 @@ impl Believed {
                 Ok(Self::Reachable(more.conditions.len() - 1))
             }
             Some(PddlBelief::States(states)) => {
-                let begin = more.states.len();
+                // A belief is a set: millions of equal states take no more room than one.
+                let mut listed = IndexSet::<Vec<Atom>, FxBuildHasher>::default();
                 let mut atoms = 0;
                 for (index, state) in states.iter().enumerate() {
                     let state = fixed.state(texts, state, &format!("{path}[{index}]"))?;
-                    atoms += state.len() + 1;
+                    let size = state.len() + 1;
+                    atoms += if listed.insert(state) { size } else { 0 };
                     if atoms > MAX_ATOMS {
                         let found = format!("states with more than {MAX_ATOMS} atoms in all");
                         return Err(DocumentError::invalid(path, found, "at most that"));
                     }
-                    more.states.push(state);
                 }
-                if !more.states[begin..].contains(&texts.task.initial) {
+                if !listed.contains(&texts.task.initial) {
                     let found = format!("{} states without the initial state", states.len());
                     let expected = "the initial state among them, as in {}";
                     return Err(DocumentError::invalid(path, found, expected));
                 }
+                let begin = more.states.len();
+                more.states.extend(listed);
                 Ok(Self::States(begin..more.states.len()))
             }
         }

@@ -38,7 +38,7 @@ fn texts(reader: &Reader<'_>) -> Result<Vec<String>, DocumentError> {
 fn goal(reader: &Reader<'_>) -> Result<PddlGoal, DocumentError> {
     let fields = reader.fields(&["name", "condition"])?;
     Ok(PddlGoal {
-        name: text(&fields.required("name", "the goal's name")?)?,
+        name: fields.required("name", "the goal's name")?.name()?.to_owned(),
         condition: text(&fields.required("condition", "a condition, as in (and (on a b))")?)?,
     })
 }
@@ -47,7 +47,7 @@ fn observer(reader: &Reader<'_>) -> Result<PddlObserver, DocumentError> {
     let fields = reader.fields(&["initial_belief", "groups", "sensor"])?;
     let groups = |reader: Reader<'_>| -> Result<_, DocumentError> {
         let group = |(name, objects): (&str, Reader<'_>)| Ok((name.to_owned(), texts(&objects)?));
-        reader.entries()?.all().map(group).collect()
+        reader.entries()?.named()?.map(group).collect()
     };
     Ok(PddlObserver {
         initial_belief: fields.optional("initial_belief").map(|r| belief(&r)).transpose()?,
@@ -85,7 +85,7 @@ fn state(reader: &Reader<'_>) -> Result<PddlState, DocumentError> {
 
 fn sensor(reader: &Reader<'_>) -> Result<PddlSensor, DocumentError> {
     match reader.value() {
-        Json::Text(_) => text(reader).map(PddlSensor::Template),
+        Json::Text(_) => Ok(PddlSensor::Template(reader.name()?.to_owned())),
         Json::Array(_) => reader.list(rule).map(PddlSensor::Rules),
         _ => Err(reader.expected("a template of symbols, or a list of rules")),
     }
@@ -96,6 +96,6 @@ fn rule(reader: &Reader<'_>) -> Result<PddlRule, DocumentError> {
     Ok(PddlRule {
         operator: text(&fields.required("operator", "a pattern, as in (stack ?x ?y)")?)?,
         result: fields.optional("result").map(|r| text(&r)).transpose()?,
-        symbol: text(&fields.required("symbol", "a template of the symbol")?)?,
+        symbol: fields.required("symbol", "a template of the symbol")?.name()?.to_owned(),
     })
 }

@@ -25,11 +25,11 @@ impl PddlText {
     pub(super) fn read(reader: &Reader<'_>) -> Result<Self, DocumentError> {
         let expected = || reader.expected("a text in PDDL, or the list of its lines");
         match reader.value() {
-            Json::Text(text) => Ok(Self(text.clone())),
+            Json::Text(text) => Ok(Self(text.to_string())),
             Json::Array(_) => {
                 let mut lines = reader
                     .list(|line| match line.value() {
-                        Json::Text(line) => Ok(line.as_str()),
+                        Json::Text(line) => Ok(&**line),
                         _ => Err(line.expected("a line of PDDL")),
                     })?
                     .into_iter();

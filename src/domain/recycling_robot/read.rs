@@ -54,7 +54,7 @@ fn state(reader: &Reader<'_>) -> Result<RobotState, DocumentError> {
         robot: cell(&fields.required("robot", "a cell")?)?,
         battery: fields.required("battery", "a level")?.integer(0..=MAX_LEVELS - 1)?,
         can: match can.value() {
-            Json::Text(text) if text == HELD => Can::Held,
+            Json::Text(text) if **text == *HELD => Can::Held,
             Json::Array(_) => Can::At(cell(&can)?),
             _ => return Err(can.expected(CAN)),
         },
