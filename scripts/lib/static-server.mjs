@@ -11,11 +11,10 @@ const types = { ".jsonl": "application/jsonl; charset=utf-8" };
 
 /**
  * Serves `folder` under `base` (which begins and ends with a slash).
- * Each answer carries `headers` too. With `anyPort`, the next free port is taken when `port` is in use. Resolves to the server and its address.
+ * With `anyPort`, the next free port is taken when `port` is in use. Resolves to the server and its address.
  */
-export async function serve(folder, { port = 0, host = "127.0.0.1", base = "/", anyPort = false, headers = {} } = {}) {
+export async function serve(folder, { port = 0, host = "127.0.0.1", base = "/", anyPort = false } = {}) {
   const server = createServer((request, response) => {
-    for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
     answer(resolve(folder), base, request, response).catch(() => plain(response, 500, "internal error"));
   });
   const taken = await listen(server, port, host, anyPort);

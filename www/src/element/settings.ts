@@ -102,8 +102,12 @@ async function openProblem(
   if (src !== null) {
     const text = await fetched(src);
     if (!wanted()) return false;
-    if (text !== null) return playground.edits.open(text);
-    playground.solving.refuse(`The problem document “${src}” could not be loaded.`);
+    if (text !== null && text !== TOO_LARGE) return playground.edits.open(text);
+    playground.solving.refuse(
+      text === null
+        ? `The problem document “${src}” could not be loaded.`
+        : `The problem document “${src}” is too large: at most ${LARGEST / 1e6} MB can be opened.`,
+    );
     return false;
   }
   if (problem === null) return playground.edits.open(fallback);
@@ -114,12 +118,15 @@ async function openProblem(
 /** Larger than any problem that can be drawn. */
 const LARGEST = 2_000_000;
 
-async function fetched(address: string): Promise<string | null> {
+const TOO_LARGE = Symbol("too large");
+
+async function fetched(address: string): Promise<string | null | typeof TOO_LARGE> {
   try {
     const response = await fetch(new URL(address, document.baseURI));
-    if (!response.ok || Number(response.headers.get("Content-Length")) > LARGEST) return null;
+    if (!response.ok) return null;
+    if (Number(response.headers.get("Content-Length")) > LARGEST) return TOO_LARGE;
     const text = await response.text();
-    return text.length > LARGEST ? null : text;
+    return text.length > LARGEST ? TOO_LARGE : text;
   } catch {
     return null;
   }

@@ -1,4 +1,5 @@
 // What an element shows: the whole playground, drawn into the element itself or into its shadow root.
+import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import type { SolveOptions } from "../core.js";
 import { toolbar } from "../edit/toolbar.js";
@@ -70,6 +71,8 @@ export class View {
   /** How often they were followed: work that is still under way then knows that other attributes came after. */
   private followed = 0;
   private following = false;
+  /** What the attributes ask for could not be loaded. */
+  private readonly unreachable = signal(false);
 
   constructor(
     private readonly host: HTMLElement,
@@ -195,6 +198,7 @@ export class View {
     const wanted = () => now === this.followed;
     const settings = settingsOf(this.host);
     const settled = await settle(this.playground, settings, inline(this.host) ?? exampleDocument, wanted);
+    if (wanted()) this.unreachable.value = !settled && settings.src !== null;
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
     if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners]));
@@ -223,6 +227,15 @@ export class View {
     if (opened === false && mistake !== null) playground.solving.refuse(mistake);
   }
 
+  /** What failed for want of a connection or of a solver is tried again by one click. */
+  private again(): TemplateResult | typeof nothing {
+    const { answer, problem, solving } = this.playground;
+    const nothingOpen = problem.document.value === null;
+    if (!this.unreachable.value && !answer.lost.value && !nothingOpen) return nothing;
+    const act = () => void (this.unreachable.value || nothingOpen ? this.settle() : solving.solve());
+    return html` <button type="button" class="again" @click=${act}>Try again</button>`;
+  }
+
   private content(): TemplateResult {
     const playground = this.playground;
     const error = playground.answer.error.value;
@@ -231,7 +244,7 @@ export class View {
     const link = () => (this.sharing && !hidden.has("share") ? copyLink(playground, this.copier) : nothing);
     return html`
       <div class="error">
-        <div role="alert">${error === null ? nothing : html`<p>${error}</p>`}</div>
+        <div role="alert">${error === null ? nothing : html`<p>${error}${this.again()}</p>`}</div>
         ${
           error === null
             ? nothing

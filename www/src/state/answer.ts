@@ -23,6 +23,8 @@ export class Answer {
   /** Solving takes so long that it should be seen. */
   readonly slow = signal(false);
   readonly error = signal<string | null>(null);
+  /** The solver was lost, or could not be had: the same may work the next time. */
+  readonly lost = signal(false);
   readonly progress = signal<Progress | null>(null);
   /** How long the solver has been at work. */
   readonly stopwatch = new Stopwatch();
@@ -67,6 +69,7 @@ export class Answer {
       this.progress.value = null;
       this.slow.value = false;
       this.status.value = "error";
+      this.lost.value = ending.kind === "lost";
       this.error.value = ending.kind === "refused" ? ending.message : lost(ending);
     });
   }

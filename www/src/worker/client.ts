@@ -2,6 +2,7 @@
 // obey a cancel.
 import type { Progress, Scene, Trace } from "../core.js";
 import { keptOutcome } from "./kept-outcome.js";
+import { whyForbidden } from "./policy.js";
 import type { Answer, Message, Reply, Task, Update } from "./protocol.js";
 import { type SolverWorker, startWorker } from "./start.js";
 
@@ -14,7 +15,8 @@ export type Ending =
   /** `replaced`: the worker did not obey a cancel, and another took its place. */
   | (Extract<Answer, { kind: "solved" }> & { replaced?: true })
   | { kind: "stale" }
-  | { kind: "lost"; message: string };
+  /** `forbidden`: by the page's content policy; the message says what the policy must allow. */
+  | { kind: "lost"; message: string; forbidden?: true };
 
 interface Current {
   id: number;
@@ -91,7 +93,8 @@ export class SolverClient {
     worker.onmessageerror = () => this.lose("a message of the solver could not be read");
     worker.onerror = (event) => {
       event.preventDefault();
-      this.lose(event.message || "the solver could not be started");
+      const forbidden = event.message ? null : whyForbidden();
+      this.lose(event.message || (forbidden ?? "the solver could not be started"), forbidden !== null);
     };
     return worker;
   }
@@ -107,7 +110,7 @@ export class SolverClient {
     } else if (reply.kind === "ready") {
       this.ready = true;
     } else if (reply.kind === "broken") {
-      this.lose(reply.message);
+      this.lose(reply.message, reply.forbidden === true);
     } else if (reply.id !== this.current?.id) {
       return;
     } else if (reply.kind === "started") {
@@ -135,11 +138,11 @@ export class SolverClient {
   }
 
   /** The worker is of no more use. Another takes its place, at once if this one had worked. */
-  private lose(message: string): void {
+  private lose(message: string, forbidden = false): void {
     const worked = this.ready;
     this.stopWorker();
     if (worked) this.worker = this.startWorker();
-    this.finish({ kind: "lost", message });
+    this.finish({ kind: "lost", message, ...(forbidden ? { forbidden } : {}) });
   }
 
   /** Ends a worker that is busy with a stale task, and gives the task to another. */

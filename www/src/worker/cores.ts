@@ -17,9 +17,6 @@ const NOT_LOADED =
   "The part of the program for PDDL and integer programs could not be loaded. Your problem is as it was. " +
   "Check the connection, then try again.";
 
-const NO_WASM =
-  "WebAssembly could not be started: the page’s policy must allow 'wasm-unsafe-eval' in script-src, or the browser forbids it";
-
 let current = light;
 let loading: Promise<void> | null = null;
 
@@ -31,7 +28,7 @@ let ask = () => {};
 /** Loads the core with which work begins. A page that sends the full one alone has it used for everything. */
 export function loadFirst(askForFull: () => void): Promise<void> {
   ask = askForFull;
-  return explained(isWaiting ? startSent() : startLight());
+  return isWaiting ? startSent() : startLight();
 }
 
 /** Whichever the page sends first. */
@@ -106,16 +103,6 @@ async function startLight(bytes?: BufferSource): Promise<void> {
 async function startFull(bytes?: BufferSource): Promise<void> {
   await initFull(bytes === undefined ? undefined : { module_or_path: bytes });
   current = full;
-}
-
-/** A policy that forbids WebAssembly is a matter of the page: the browser's own words do not say what to change. */
-async function explained(start: Promise<void>): Promise<void> {
-  try {
-    await start;
-  } catch (error) {
-    const forbidden = error instanceof WebAssembly.CompileError && /policy|unsafe-eval|disallowed/i.test(error.message);
-    throw forbidden ? new WebAssembly.CompileError(NO_WASM) : error;
-  }
 }
 
 interface Waits {

@@ -1,11 +1,13 @@
 // Telling a person's mistake from a broken core.
 import type { DocumentError } from "../core.js";
+import { isForbiddenWasm, NO_WASM } from "./policy.js";
 import type { Answer, Fault } from "./protocol.js";
 
 /** The core names its own errors; a trap, a stack overflow or an error of the glue code means that it is broken. */
 const broken = [WebAssembly.RuntimeError, WebAssembly.CompileError, WebAssembly.LinkError, RangeError, TypeError];
 
 export function failure(error: unknown): Answer {
+  if (isForbiddenWasm(error)) return { kind: "broken", message: NO_WASM, forbidden: true };
   const message = error instanceof Error ? error.message : String(error);
   return broken.some((kind) => error instanceof kind) ? { kind: "broken", message } : { kind: "refused", message };
 }

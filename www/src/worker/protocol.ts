@@ -51,7 +51,7 @@ export type Answer =
   /** The document, the plan or the options are wrong: `message` is for the person to read. */
   | { kind: "refused"; message: string }
   /** The core panicked or could not be loaded: this worker is of no more use. */
-  | { kind: "broken"; message: string };
+  | { kind: "broken"; message: string; forbidden?: true };
 
 /** Worker to page. */
 export type Reply =

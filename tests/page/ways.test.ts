@@ -1,0 +1,154 @@
+// The ways to load the element: from any host, in any frame, and without a server. Each solves a problem.
+import assert from "node:assert/strict";
+import { copyFileSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { gzipSync } from "node:zlib";
+import type { Frame, Page } from "playwright-core";
+import { dist } from "../../scripts/lib/paths.mjs";
+import { visit } from "./support/browser.js";
+import { grid } from "./support/documents.js";
+import { startHost } from "./support/host.js";
+
+const home = await startHost();
+/** Another host, which lets every page read its files. */
+const other = await startHost({ "Access-Control-Allow-Origin": "*" });
+
+const inline = `<script type="application/json">${grid()}</script>`;
+const one = `<mo-copp-playground id="one" link="off">${inline}</mo-copp-playground>`;
+const solved = (where: Page | Frame) => where.waitForSelector("#one[data-status=optimal][data-gd]");
+
+/** A page on the host of the built page, under a content policy. */
+async function host(page: Page, body: string, policy = ""): Promise<void> {
+  home.own.set("lesson/way.html", {
+    body: `<!doctype html><html lang="en"><head><meta charset="utf-8"><link rel="icon" href="data:,"><title>Way</title></head><body>${body}</body></html>`,
+    headers: policy === "" ? {} : { "Content-Security-Policy": policy },
+  });
+  await page.goto(`${home.address}lesson/way.html`);
+}
+
+const own = `<script type="module" src="../mo-copp-playground.js"></script>`;
+const fromOther = `<script type="module" src="${other.address}mo-copp-playground.js"></script>`;
+const single = `<script src="../mo-copp-playground.single.js"></script>`;
+
+/** The policies that docs/embedding.md says each way needs. */
+const sameHost =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src 'self' data:";
+const hostOf = new URL(other.address).origin;
+const otherHost = `default-src 'none'; script-src ${hostOf} 'wasm-unsafe-eval'; worker-src blob:; connect-src ${hostOf}; img-src 'self' data:`;
+const oneFile = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; img-src 'self' data:";
+
+for (const [name, body, policy] of [
+  ["the same host", own + one, sameHost],
+  ["another host", fromOther + one, otherHost],
+  ["one file on the same host", single + one, oneFile],
+] as const) {
+  test(`from ${name}, under the policy that is said to be enough`, () =>
+    visit(async ({ page }) => {
+      await host(page, body, policy);
+      await solved(page);
+    }));
+}
+
+for (const [name, script] of [
+  ["another host", fromOther],
+  ["one file", `<script src="${other.address}mo-copp-playground.single.js"></script>`],
+] as const) {
+  test(`in a frame with sandbox="allow-scripts": ${name}`, () =>
+    visit(async ({ page }) => {
+      const inner = `<!doctype html><html lang="en"><title>Frame</title>${script}${one}`.replaceAll('"', "&quot;");
+      await host(page, `<iframe sandbox="allow-scripts" srcdoc="${inner}" title="Way"></iframe>`);
+      await page.frameLocator("iframe").locator("#one[data-status=optimal]").waitFor();
+    }));
+}
+
+test("as one file from disk, renamed beside its page", () =>
+  visit(async ({ page }) => {
+    const folder = mkdtempSync(join(tmpdir(), "mo-copp-"));
+    try {
+      copyFileSync(join(dist, "mo-copp-playground.single.js"), join(folder, "playground.js"));
+      writeFileSync(
+        join(folder, "page.html"),
+        `<!doctype html><html lang="en"><title>From disk</title><script src="playground.js"></script>${one}`,
+      );
+      await page.goto(pathToFileURL(join(folder, "page.html")).href);
+      await solved(page);
+      // What takes the full core is there, too.
+      await page.locator("#one").getByLabel("Solver").selectOption("ip");
+      await page.locator("#one").getByLabel("Plan length").fill("4");
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  }));
+
+test("as a script and as a page from a blob", () =>
+  visit(async ({ page }) => {
+    await host(page, one);
+    await page.evaluate(async (script) => {
+      const text = await (await fetch(script)).text();
+      const blob = new Blob([text], { type: "text/javascript" });
+      await import(URL.createObjectURL(blob));
+    }, `${home.address}mo-copp-playground.single.js`);
+    await solved(page);
+    const inner = `<!doctype html><title>Blob</title>${fromOther}${one}`;
+    const [frame] = await Promise.all([
+      page.waitForEvent("frameattached"),
+      page.evaluate((text) => {
+        const frame = document.createElement("iframe");
+        frame.src = URL.createObjectURL(new Blob([text], { type: "text/html" }));
+        document.body.append(frame);
+      }, inner),
+    ]);
+    await solved(frame);
+  }));
+
+test("files that the page places itself are those that are used", () =>
+  visit(async ({ page, requests }) => {
+    const files = { worker: /assets\/solver\.worker-[^/]+\.js/, wasm: /assets\/mo_copp_bg-[^/]+\.wasm/ };
+    const named = readdirSync(join(dist, "assets")).map((file) => `assets/${file}`);
+    const [worker = "", wasm = ""] = [files.worker, files.wasm].map((name) => named.find((file) => name.test(file)));
+    for (const [from, to] of [
+      ["own-worker.js", worker],
+      ["own-core.wasm", wasm],
+    ] as const) {
+      home.own.set(`lesson/${from}`, { body: readFileSync(join(dist, to)) });
+    }
+    requests.length = 0;
+    const placed = one.replace("link=", `worker-url="own-worker.js" wasm-url="own-core.wasm" link=`);
+    await host(page, own + placed, sameHost);
+    await solved(page);
+    const placedHere = requests.filter((request) => request.startsWith(home.address));
+    for (const file of ["own-worker.js", "own-core.wasm"])
+      assert(placedHere.includes(`${home.address}lesson/${file}`), placedHere.join(" "));
+    assert(!placedHere.some((request) => request.endsWith(worker)), placedHere.join(" "));
+  }));
+
+test("a worker that is forbidden, wasm that is forbidden, an address that answers nothing: said with what to do", () =>
+  visit(
+    async ({ page }) => {
+      await host(page, own + one, sameHost.replace("worker-src 'self'", "worker-src 'none'"));
+      const alert = page.locator("#one").getByRole("alert").first();
+      await alert.getByText("must allow worker-src 'self'").waitFor();
+      await alert.getByRole("button", { name: "Try again" }).waitFor();
+      await host(page, single + one, oneFile.replace(" 'wasm-unsafe-eval'", ""));
+      await alert.getByText("must allow 'wasm-unsafe-eval' in script-src").waitFor();
+      // A second try is one click.
+      await host(page, `${own}<mo-copp-playground id="one" src="late.json" link="off"></mo-copp-playground>`);
+      await alert.getByText("“late.json” could not be loaded").waitFor();
+      home.own.set("lesson/late.json", { body: grid() });
+      await alert.getByRole("button", { name: "Try again" }).click();
+      await solved(page);
+      home.own.set("lesson/large.json", { body: " ".repeat(2_100_000) });
+      await page.evaluate(() => document.querySelector("#one")?.setAttribute("src", "large.json"));
+      await alert.getByText("“large.json” is too large: at most 2 MB").waitFor();
+      assert.equal(await page.locator("#one [data-board=actor]").count(), 1);
+    },
+    { quiet: false },
+  ));
+
+test("the one file is at most 900 kB on its way", () => {
+  const bytes = gzipSync(readFileSync(join(dist, "mo-copp-playground.single.js")), { level: 9 }).length;
+  assert(bytes <= 900_000, `${bytes} bytes`);
+});
