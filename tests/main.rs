@@ -9,6 +9,7 @@ mod beliefs;
 mod corrections;
 mod documents;
 mod domains;
+mod eliminations;
 mod exact;
 mod experiments;
 mod golden;

@@ -21,13 +21,16 @@ use crate::limits::MAX_TEXT_BYTES;
 use crate::plan::{Plan, next_actions};
 use crate::problem;
 use crate::report::{
-    AdviceReport, NextReport, ProgressReport, Scene, SolveReport, TraceReport, read_options,
+    AdviceReport, EliminationReport, NextReport, ProgressReport, Scene, SolveReport, TraceReport,
+    read_options,
 };
 use crate::solver;
 use crate::solver::remedy;
-use crate::trace::trace;
+use crate::trace::{elimination, trace};
 use error::thrown;
-use types::{AdviceJs, NextActionsJs, OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs};
+use types::{
+    AdviceJs, EliminationJs, NextActionsJs, OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs,
+};
 
 /// Shows panics on the console with their message.
 #[wasm_bindgen(start)]
@@ -101,6 +104,28 @@ impl Problem {
         let next = next_actions(self.problem.task(), &plan, label).map_err(|e| error::plan(&e))?;
         let next: Vec<_> = next.iter().map(|next| NextReport::new(&self.problem, next)).collect();
         to_js(&next)
+    }
+
+    /// Why a goal is not possible for an observer after a step of a plan: the last believed states
+    /// that were in the goal or one action away from it, and the symbol that ended them; null where
+    /// the goal is possible, or no believed state was so near. Throws a `PlanError` that names the
+    /// step, and an `OptionsError` where there is no such observer or goal.
+    pub fn elimination(
+        &self,
+        plan: Vec<String>,
+        observer: &str,
+        goal: &str,
+        step: usize,
+    ) -> Result<EliminationJs, JsValue> {
+        let plan = self.plan(&plan)?;
+        let unknown =
+            |kind: &str, name: &str| thrown("OptionsError", &format!("no {kind} {name:?}"));
+        let watching = self.problem.observer_named(observer);
+        let watching = watching.ok_or_else(|| unknown("observer", observer))?;
+        let wanted = self.problem.goal_named(goal).ok_or_else(|| unknown("goal", goal))?;
+        let found = elimination(&self.problem, &plan, watching, wanted, step);
+        let found = found.map_err(|e| error::plan(&e))?;
+        to_js(&found.map(|found| EliminationReport::new(&self.problem, &found)))
     }
 
     /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.

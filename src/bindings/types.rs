@@ -122,7 +122,25 @@ export interface TraceStep {
   /** What the states of each belief have in common, where an overview does not give all of them. */
   summaries?: ByObserver<BeliefSummary>;
   goals: ByObserver<string[]>;
+  /** In an overview: the goals that are ruled out for each observer. No continuation makes them possible again, as far
+   * as a relaxation tells: what may still come is never among them. At the end of a plan for the true goal it is all
+   * that are not possible. */
+  ruled_out?: ByObserver<string[]>;
   goal_difference: number;
+}
+
+/** Why a goal is not possible for an observer: the last believed states that were one action away from it or in it, and
+ * the symbol that ended them. */
+export interface Elimination {
+  /** The step at whose symbol they went. */
+  step: number;
+  symbol: string;
+  /** Believed before: an action would have led to the goal, with another symbol. At most 100, of `led_count`. */
+  led: { state: State; action: string; result: State; symbol: string }[];
+  led_count: number;
+  /** Believed before: the goal held there. At most 100, of `held_count`. */
+  held: State[];
+  held_count: number;
 }
 
 export interface Trace { valid: boolean; cost?: number; steps: TraceStep[]; goal_difference: number }
@@ -212,6 +230,9 @@ extern "C" {
     /// Why there is no plan, and what would do.
     #[wasm_bindgen(typescript_type = "Advice")]
     pub type AdviceJs;
+    /// Why a goal is not possible, where a state was near it.
+    #[wasm_bindgen(typescript_type = "Elimination | null")]
+    pub type EliminationJs;
     /// What can be done after a plan.
     #[wasm_bindgen(typescript_type = "NextAction[]")]
     pub type NextActionsJs;

@@ -3,6 +3,7 @@
 mod advice;
 mod belief;
 mod classical;
+mod elimination;
 mod request;
 mod scene;
 
@@ -11,6 +12,7 @@ use serde::Serialize;
 pub use advice::{AdviceReport, RemedyReport};
 pub use belief::{BeliefReport, Feature, Share};
 pub use classical::{PlanReport, PlanStats};
+pub use elimination::{EliminationReport, MissedReport};
 pub use request::read_options;
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 
@@ -19,7 +21,7 @@ use crate::plan::{NextAction, Plan, PlanError};
 use crate::problem::{Problem, StateLabel, StateNaming};
 use crate::solver::{LengthPoint, Outcome, Progress, Solver, Stats, Status};
 use crate::task::State;
-use crate::trace::{Passing, Trace, pass, trace};
+use crate::trace::{Passing, ReachableGoals, Trace, pass, trace};
 
 /// A map from the name of each observer to something, in the problem's order.
 #[derive(Debug, Clone, PartialEq)]
@@ -177,6 +179,11 @@ pub struct StepReport {
     pub summaries: Option<ByObserver<BeliefReport>>,
     /// The goals that survive for each observer.
     pub goals: ByObserver<Vec<String>>,
+    /// In an overview, the goals that are ruled out for each observer: those that no continuation
+    /// makes possible again (see [`ReachableGoals`]), and at the end of a plan for the true goal
+    /// all that are not possible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ruled_out: Option<ByObserver<Vec<String>>>,
     /// The goal difference, were the plan to end here.
     pub goal_difference: f64,
 }
@@ -215,6 +222,11 @@ pub struct ProgressReport {
 
 fn goal_names(problem: &Problem, set: &GoalSet) -> Vec<String> {
     set.iter().map(|goal| problem.goals()[goal].name.clone()).collect()
+}
+
+fn names_where(problem: &Problem, wanted: impl Fn(usize) -> bool) -> Vec<String> {
+    let goals = problem.goals().iter().enumerate();
+    goals.filter(|&(goal, _)| wanted(goal)).map(|(_, goal)| goal.name.clone()).collect()
 }
 
 impl SolveReport {
@@ -338,7 +350,7 @@ impl TraceReport {
     }
 
     /// The report of a plan for somebody who looks at it: of each belief at most `most` states, and
-    /// with them what all its states have in common. A page would not hold a hundred thousand
+    /// with them what all its states have in common and which goals are ruled out. A page would not hold a hundred thousand
     /// states for each step, nor could anybody read them. The beliefs of a gridworld and of a
     /// delivery are pictures of all their states, and given in full.
     ///
@@ -349,20 +361,46 @@ impl TraceReport {
     ///
     /// [`PlanError`] when a step cannot be carried out or holds too many states.
     pub fn overview(problem: &Problem, plan: &Plan, most: usize) -> Result<Self, PlanError> {
+        let mut reachable = ReachableGoals::new(problem);
+        let mut ruled_out = |beliefs: &[Vec<State>]| {
+            Some(ByObserver::new(problem, |i| {
+                let open = reachable.from(&beliefs[i]);
+                names_where(problem, |goal| !open.contains(goal))
+            }))
+        };
         if matches!(problem.naming(), StateNaming::Cells { .. } | StateNaming::Facts) {
-            return Ok(Self::new(problem, &trace(problem, plan)?));
+            let trace = trace(problem, plan)?;
+            let mut report = Self::new(problem, &trace);
+            for (step, kept) in report.steps.iter_mut().zip(&trace.steps) {
+                step.ruled_out = ruled_out(&kept.beliefs);
+            }
+            return Ok(report.ended(problem));
         }
         let mut steps = Vec::with_capacity(plan.len() + 1);
         let valid = pass(problem, plan, |step| {
             let summary = |i: usize| BeliefReport::new(problem, &step.beliefs[i]);
             steps.push(StepReport {
                 summaries: Some(ByObserver::new(problem, summary)),
+                ruled_out: ruled_out(step.beliefs),
                 ..StepReport::new(problem, &step, most)
             });
             Ok(())
         })?;
         let goal_difference = steps.last().map_or(0.0, |step: &StepReport| step.goal_difference);
-        Ok(Self { valid, cost: plan.cost(problem.task()), steps, goal_difference })
+        Ok(Self { valid, cost: plan.cost(problem.task()), steps, goal_difference }.ended(problem))
+    }
+
+    /// At the end of a plan for the true goal nothing more comes: what is not possible there is
+    /// ruled out.
+    fn ended(mut self, problem: &Problem) -> Self {
+        if let Some(end) = self.steps.last_mut().filter(|_| self.valid) {
+            let possible = &end.goals.0;
+            let name = |goal: usize| &problem.goals()[goal].name;
+            end.ruled_out = Some(ByObserver::new(problem, |i| {
+                names_where(problem, |goal| !possible[i].1.contains(name(goal)))
+            }));
+        }
+        self
     }
 }
 
@@ -379,6 +417,7 @@ impl StepReport {
             beliefs: ByObserver::new(problem, |i| listed(&step.beliefs[i])),
             summaries: None,
             goals: ByObserver::new(problem, |i| goal_names(problem, &step.survivors[i])),
+            ruled_out: None,
             goal_difference: problem.goal_difference(problem.survivor_counts(step.survivors)),
         }
     }

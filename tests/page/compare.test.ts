@@ -6,7 +6,7 @@ import type { Page } from "playwright-core";
 import type { SolveOptions } from "../../www/src/core.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
-import { edit, opened } from "./support/opened.js";
+import { edit, opened, saved } from "./support/opened.js";
 import { attribute, openTab, press, slider, statusIs } from "./support/playground.js";
 import { holdCore, withKnownWorkers } from "./support/workers.js";
 
@@ -23,6 +23,7 @@ const words = { optimal: "proved best", infeasible: "no plan" };
 
 const row = (page: Page, title: string) =>
   page.locator(".comparison tbody tr").filter({ has: page.getByRole("rowheader", { name: title }) });
+const short = (value: number | null) => String(Math.round((value ?? 0) * 1000) / 1000).replace("-", "−");
 const complete = (page: Page) => page.getByText("The comparison is complete.").waitFor({ state: "attached" });
 
 test("every solver's answer stands in the table, and choosing one shows its plan", () =>
@@ -59,19 +60,67 @@ test("every solver's answer stands in the table, and choosing one shows its plan
 test("a proof for plans of one length says so", () =>
   opened({ tab: "Compare" }, async (page) => {
     await press(page, "Compare all solvers");
+    await page.getByLabel(/Ask for what the best plan reaches/).uncheck();
+    await press(page, "Compare again");
     await row(page, "Integer program, belief flow").getByText("proved best of 14 moves").waitFor();
     await row(page, "Exact search").getByText("proved best", { exact: true }).waitFor();
   }));
 
-test("the best plan's bounds are offered", () =>
+test("without bounds of its own the comparison asks for what the best plan reaches, so that rows differ", () =>
   opened({ tab: "Compare" }, async (page) => {
-    const { outcome } = solve(example, { solver: "exact" });
-    const [k, j] = [outcome.goals?.adversarial.length, outcome.goals?.cooperative.length].map(String);
-    await press(page, `Ask for what the best plan reaches: k = ${k}, j = ${j}`);
-    assert.equal(await page.getByLabel("Enemy keeps at least").inputValue(), k);
-    assert.equal(await page.getByLabel("Friend keeps at most").inputValue(), j);
-    await openTab(page, "Solve");
-    assert.equal(await page.getByLabel("Enemy keeps at least").inputValue(), k);
+    const { goals } = solve(example, { solver: "exact" }).outcome;
+    const bounds = { k: goals?.adversarial.length ?? 0, j: goals?.cooperative.length ?? 0 };
+    const offer = page.getByLabel(`Ask for what the best plan reaches: k = ${bounds.k}, j = ${bounds.j}`);
+    assert(await offer.isChecked());
+    await press(page, "Compare all solvers");
+    await complete(page);
+    await page.getByText(`Asked for: k = ${bounds.k}, j = ${bounds.j}.`).waitFor();
+    const shown = async (title: string) => (await row(page, title).getByRole("cell").allInnerTexts()).slice(1, 5);
+    const four = solvers.slice(2, 6);
+    const rows = await Promise.all(four.map(([title]) => shown(title)));
+    for (const [index, [title, options]] of four.entries()) {
+      const { outcome } = solve(example, { ...options, ...(options.solver === "baseline" ? {} : bounds) });
+      const { goal_difference, goals: left, plan } = outcome;
+      assert.deepEqual(
+        rows[index]?.map((cell) => cell.trim()),
+        [short(goal_difference), left?.adversarial.length, left?.cooperative.length, plan?.length].map(String),
+        title,
+      );
+    }
+    assert(new Set(rows.map(String)).size > 1);
+    await offer.uncheck();
+    await page.getByText("These results are of an earlier problem, or of other bounds.").waitFor();
+    await press(page, "Compare again");
+    await complete(page);
+    await page.getByText("Asked for: plans of any length, without bounds.").waitFor();
+    await page.getByLabel("Friend keeps at most").fill("2");
+    assert.equal(await offer.count(), 0);
+  }));
+
+test("the comparison is saved for spreadsheets and for programs", () =>
+  opened({ document: grid(), tab: "Compare" }, async (page) => {
+    await page.getByLabel("Friend keeps at most").fill("1");
+    await press(page, "Compare all solvers");
+    await complete(page);
+    const [csv, json] = [await saved(page, "Save as CSV"), await saved(page, "Save as JSON")];
+    assert.deepEqual([csv.name, json.name], ["problem-comparison.csv", "problem-comparison.json"]);
+    const lines = csv.text.trimEnd().split("\r\n");
+    const records = JSON.parse(json.text);
+    assert.equal(lines.length, solvers.length + 1);
+    assert.equal(records.length, solvers.length);
+    for (const [index, [title, options]] of solvers.entries()) {
+      const { outcome } = solve(grid(), { ...options, ...(options.solver === "baseline" ? {} : { j: 1 }) });
+      const record = records[index];
+      assert.equal(record.title, title);
+      const kept = ["search", "legible", "exact", "ip"].includes(options.solver) ? 1 : undefined;
+      assert.equal(record.options.j, kept, title);
+      assert.deepEqual([record.outcome.status, record.outcome.plan], [outcome.status, outcome.plan]);
+      const cells = lines[index + 1]?.split(",") ?? [];
+      assert.equal(cells[0], options.solver);
+      assert.equal(cells[3], kept === undefined ? "" : "1");
+      assert.deepEqual(cells.slice(6, 8), [outcome.status, String(outcome.goal_difference ?? "")]);
+      assert.equal(cells.at(-1), outcome.plan?.join(" ") ?? "");
+    }
   }));
 
 test("results of an earlier problem are marked and can't be chosen", () =>

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
+import { LARGEST_DOCUMENT } from "../../www/src/problem/limits.js";
 import { visit } from "./support/browser.js";
 import { replay, solve } from "./support/core.js";
 import { grid } from "./support/documents.js";
@@ -100,7 +101,7 @@ test("what is no single document is said, and the page stays as it was", () =>
       [{ text: "hello" }, /no file/],
       [{ files: [{ name: "notes.txt", text: "Dear all" }] }, /line 1/],
       [{ files: [{ name: "empty.json", text: "" }] }, /\S+ \S+/],
-      [{ files: [{ name: "big.json", text: " ".repeat(2_100_000) }] }, /“big.json” is too large/],
+      [{ files: [{ name: "big.json", text: " ".repeat(LARGEST_DOCUMENT + 1) }] }, /“big.json” is too large/],
     ];
     for (const [what, words] of cases) {
       await drop(page, "main", what);
@@ -150,7 +151,7 @@ test("names in a document are text, from file and drop alike", () =>
     await statusIs(page, "optimal");
     await drop(page, "body", { files: [{ name: `${name}.json`, text: hostile }] });
     await shown();
-    await drop(page, "body", { files: [{ name: `${name}.json`, text: " ".repeat(2_100_000) }] });
+    await drop(page, "body", { files: [{ name: `${name}.json`, text: " ".repeat(LARGEST_DOCUMENT + 1) }] });
     await alert(page).getByText("too large").waitFor();
     assert.equal(await page.locator("img").count(), 0);
   }));

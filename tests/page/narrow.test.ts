@@ -5,6 +5,7 @@ import type { Locator, Page } from "playwright-core";
 import { visit } from "./support/browser.js";
 import { delivery, figure1, grid } from "./support/documents.js";
 import { attribute, openTab, press, slider, statusIs, stepIs, useDocument } from "./support/playground.js";
+import { address } from "./support/site.js";
 
 const widths = [320, 390, 820, 1280] as const;
 const at = (width: number) => ({ viewport: { width, height: 800 }, reducedMotion: "reduce" }) as const;
@@ -212,3 +213,87 @@ test("what can't be done is said once", () =>
     assert.equal(await page.getByText("No plan yet.").count(), 0);
     assert.equal((await page.locator(".difference .after").textContent())?.trim(), "No plan can do what is asked.");
   }));
+
+for (const [width, height] of [
+  [390, 844],
+  [640, 400],
+  [1280, 900],
+] as const) {
+  test(`taking over brings the agent's board and what can be done into view, ${width} by ${height}`, () =>
+    visit(
+      async ({ page }) => {
+        await statusIs(page, "optimal");
+        await openTab(page, "Play");
+        await page.getByRole("button", { name: "Take over" }).scrollIntoViewIfNeeded();
+        await press(page, "Take over");
+        await stepIs(page, 0);
+        const seen = (selector: string) =>
+          page.waitForFunction((selector) => {
+            const part = document.querySelector(selector)?.getBoundingClientRect();
+            const bar = document.querySelector(".stepper")?.getBoundingClientRect();
+            return part !== undefined && bar !== undefined && part.top >= 0 && part.bottom <= bar.top + 1;
+          }, selector);
+        for (const part of [".panel.actor svg.board", ".walk-controls", '.panel.actor [data-goal="G1"]'])
+          await seen(part);
+        const byKey = page.getByText("Use the arrow keys", { exact: false });
+        assert.equal(await byKey.isVisible(), width > 640, "keys are spoken of where there are some");
+        await press(page, "north");
+        await stepIs(page, 1);
+        for (const part of [".panel.actor svg.board", ".walk-controls"]) await seen(part);
+      },
+      { viewport: { width, height }, reducedMotion: "reduce" },
+    ));
+}
+
+test("at twice the size the agent's board is no smaller than the observers'", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      for (const problem of [null, figure1]) {
+        if (problem !== null) await useDocument(page, problem);
+        await page
+          .locator(problem === null ? "svg.board" : "svg.delivery")
+          .first()
+          .waitFor();
+        const [actor = 0, ...others] = await page
+          .locator(".stage svg[data-board]")
+          .evaluateAll((boards) => boards.map((board) => board.getBoundingClientRect().height));
+        assert(others.length === 2 && others.every((other) => other <= actor + 1), `${actor} beside ${others}`);
+        assert(actor >= 200, `a board of ${actor} pixels`);
+      }
+    },
+    { viewport: { width: 640, height: 400 } },
+  ));
+
+test("tabs that can't be opened while guessing look like it", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await openTab(page, "Play");
+    await press(page, "Start guessing");
+    await page.getByText("Which goal is it after?").waitFor();
+    const look = (tab: string) =>
+      page.getByRole("tab", { name: tab, exact: true }).evaluate((part) => Number(getComputedStyle(part).opacity));
+    assert((await look("Solve")) < 0.6);
+    assert.equal(await look("Play"), 1);
+  }));
+
+test("in a frame of 560 pixels the steps cover no goal", () =>
+  visit(
+    async ({ page }) => {
+      for (const problem of ["eight-by-eight", "delivery", "box-pushing"]) {
+        await page.goto(`${address}?problem=${problem}&hide=intro,tools,workbench,goals,footer`);
+        await statusIs(page, "optimal");
+        const covered = await page.evaluate(() => {
+          const bar = document.querySelector(".stepper")?.getBoundingClientRect();
+          return [...document.querySelectorAll(".survivors li, .difference .value")]
+            .filter((part) => {
+              const { top, bottom } = part.getBoundingClientRect();
+              return bar !== undefined && bottom > bar.top + 1 && top < bar.bottom - 1;
+            })
+            .map((part) => part.textContent);
+        });
+        assert.deepEqual(covered, [], problem);
+      }
+    },
+    { viewport: { width: 1000, height: 560 } },
+  ));

@@ -20,6 +20,22 @@ test("exact answers follow every change at once, within the bounds", () =>
     await page.getByText("Best of 14 moves within bounds: 0.667").waitFor();
   }));
 
+test("the command for what the form asks can be copied", () =>
+  opened({ permissions: ["clipboard-read", "clipboard-write"] }, async (page) => {
+    await page.getByLabel("Plan length").fill("16");
+    await page.getByLabel("Friend keeps at most").fill("2");
+    await statusIs(page, "optimal");
+    const command = "mo-copp solve eight-by-eight.json --solver exact --horizon 16 --j 2";
+    await page.getByText(command, { exact: true }).waitFor();
+    await press(page, "Copy the command");
+    await page.getByText("Copied.", { exact: true }).waitFor();
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), command);
+    await choose(page, "Solver", "ip");
+    await page.getByLabel("Raise by").fill("2");
+    const encoding = "--encoding belief-flow --horizon 16 --horizon-step 2 --j 2";
+    await page.getByText(`mo-copp solve eight-by-eight.json --solver ip ${encoding}`, { exact: true }).waitFor();
+  }));
+
 test("numbers are stepped up and down between the limits that the scene sets", () =>
   opened({}, async (page) => {
     const k = page.getByLabel("Enemy keeps at least");

@@ -6,7 +6,7 @@ import type { Page } from "playwright-core";
 import { assertNoBarrier } from "./support/barriers.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid, laborious } from "./support/documents.js";
-import { edit, opened } from "./support/opened.js";
+import { edit, opened, saved } from "./support/opened.js";
 import { attribute, openTab, press, slider, statusIs } from "./support/playground.js";
 import { holdCore, withDeafWorkers, withKnownWorkers } from "./support/workers.js";
 
@@ -99,6 +99,33 @@ test("the best of each length is a point, and lengths without a plan are marked"
     await check(shortest + 24);
   }));
 
+test("pairs and lengths are saved for spreadsheets and for programs", () =>
+  opened({ document: spread, tab: "Trade-off" }, async (page) => {
+    await lengths(page).waitFor();
+    await page.locator('.charts[aria-busy="false"]').waitFor();
+    const { pareto = [] } = solve(spread, { solver: "exact", pareto: true }).outcome;
+    const pairsText = (await saved(page, "Save as CSV", "Save the pairs")).text.trimEnd().split("\r\n");
+    assert.equal(pairsText[0], "enemy goals,friend goals,goal difference,moves,plan");
+    assert.deepEqual(
+      pairsText.slice(1),
+      pareto.map(
+        ({ adversarial, cooperative, plan }) =>
+          `${adversarial},${cooperative},${(adversarial - cooperative) / 3},${plan.length},${plan.join(" ")}`,
+      ),
+    );
+    const pairsJson = JSON.parse((await saved(page, "Save as JSON", "Save the pairs")).text);
+    assert.deepEqual(pairsJson.known, { kind: "all" });
+    assert.deepEqual(
+      pairsJson.pareto.map(({ plan }: { plan: string[] }) => plan),
+      pareto.map(({ plan }) => plan),
+    );
+    const lengthsJson = JSON.parse((await saved(page, "Save as JSON", "Save the lengths")).text);
+    const last = lengthsJson.lengths.at(-1).length;
+    assert.deepEqual(lengthsJson.lengths, solve(spread, { solver: "exact", lengths: last }).outcome.lengths);
+    const lengthsText = (await saved(page, "Save as CSV", "Save the lengths")).text.trimEnd().split("\r\n");
+    assert.equal(lengthsText.length, last + 2);
+  }));
+
 test("the charts are used by keyboard alone", () =>
   opened({ tab: "Trade-off" }, async (page) => {
     await pairs(page).waitFor();
@@ -160,6 +187,8 @@ test("what takes long shows progress, is given up, and tells how far it came", (
       .waitFor();
     await press(page, "Stop");
     await page.getByText("by plans of at most 14 moves").waitFor();
+    await page.getByText(/^At least \d+ of \d+ pairs can be reached/).waitFor();
+    await page.getByText("Whether longer plans reach others is not known.").waitFor();
     await page.getByText("There are too many beliefs").waitFor();
     const { outcome } = solve(endless(), { solver: "exact", lengths: 14, pareto: true });
     assert.equal(await pairs(page).getByRole("button").count(), outcome.pareto?.length);

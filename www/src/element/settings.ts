@@ -1,6 +1,7 @@
 // What a page asks of a playground by the element's attributes.
 
 import type { Playground } from "../playground/playground.js";
+import { LARGEST_DOCUMENT, LARGEST_IN_WORDS } from "../problem/limits.js";
 import { type Form, solverNames } from "../state/form.js";
 import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
@@ -106,7 +107,7 @@ async function openProblem(
     playground.solving.refuse(
       text === null
         ? `The problem document “${src}” could not be loaded.`
-        : `The problem document “${src}” is too large: at most ${LARGEST / 1e6} MB can be opened.`,
+        : `The problem document “${src}” is too large: at most ${LARGEST_IN_WORDS} can be opened.`,
     );
     return false;
   }
@@ -115,18 +116,15 @@ async function openProblem(
   return wanted() && gallery.open(problem);
 }
 
-/** Larger than any problem that can be drawn. */
-const LARGEST = 2_000_000;
-
 const TOO_LARGE = Symbol("too large");
 
 async function fetched(address: string): Promise<string | null | typeof TOO_LARGE> {
   try {
     const response = await fetch(new URL(address, document.baseURI));
     if (!response.ok) return null;
-    if (Number(response.headers.get("Content-Length")) > LARGEST) return TOO_LARGE;
+    if (Number(response.headers.get("Content-Length")) > LARGEST_DOCUMENT) return TOO_LARGE;
     const text = await response.text();
-    return text.length > LARGEST ? TOO_LARGE : text;
+    return text.length > LARGEST_DOCUMENT ? TOO_LARGE : text;
   } catch {
     return null;
   }
@@ -147,7 +145,8 @@ async function showPlan(playground: Playground, plan: string, wanted: () => bool
   if (named !== undefined) await playground.gallery.show(named);
   else
     await playground.plans.show(
-      plan.split(",").map((action) => action.trim()),
+      // An empty text is the plan without actions.
+      plan.trim() === "" ? [] : plan.split(",").map((action) => action.trim()),
       "The plan of this page",
       wanted,
     );

@@ -28,6 +28,9 @@ export class Gallery {
   /** The entry that is open, as it is in the gallery; null for any other problem. */
   readonly current: ReadonlySignal<Entry | null> = computed(() => this.entryOf(this.playground.problem.document.value));
 
+  /** What files of the problem that is open are called, without their ending. */
+  readonly fileName: ReadonlySignal<string> = computed(() => this.current.value?.name ?? "problem");
+
   private loading: Promise<void> | undefined;
 
   constructor(private readonly playground: GalleryStores) {}

@@ -1,10 +1,11 @@
 // The controls of the guessing game.
+
 import { html, type TemplateResult } from "lit";
 import type { Boards } from "../state/boards.js";
 import type { Guess, Round } from "../state/guess.js";
 import type { Timeline } from "../state/timeline.js";
 import type { Workbench } from "../state/workbench.js";
-import { brief } from "../view/names.js";
+import { brief, named, visible } from "../view/names.js";
 
 export interface GuessPanelStores {
   guess: Guess;
@@ -43,7 +44,7 @@ function body(playground: GuessPanelStores, game: Guess, round: Round): Template
     </p>
     <p id="${playground.workbench.id}-guess">Which goal is it after?</p>
     <ul class="next ${goals.length > 12 ? "many" : ""}" aria-labelledby="${playground.workbench.id}-guess">
-      ${goals.map(({ name }) => html`<li><button type="button" title=${name} @click=${() => game.guess(name)}>${name}</button></li>`)}
+      ${goals.map(({ name }) => html`<li><button type="button" title=${named(name)} @click=${() => game.guess(name)}>${visible(name)}</button></li>`)}
     </ul>`;
 }
 

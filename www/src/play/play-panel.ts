@@ -2,6 +2,7 @@
 import { html, type TemplateResult } from "lit";
 import { playgroundAround } from "../view/surroundings.js";
 import { type GuessPanelStores, guessPanel } from "./guess-panel.js";
+import { boardsInView } from "./in-view.js";
 import { type WalkPanelStores, walkPanel } from "./walk-panel.js";
 
 export type PlayPanelStores = GuessPanelStores & WalkPanelStores;
@@ -10,9 +11,16 @@ export type PlayPanelStores = GuessPanelStores & WalkPanelStores;
 async function takeOver(playground: PlayPanelStores, { currentTarget }: Event): Promise<void> {
   const element = playgroundAround(currentTarget as Element);
   await playground.walk.start();
-  requestAnimationFrame(() =>
-    element?.querySelector<HTMLElement>(".walkable, .play.walk :is(input, button)")?.focus({ preventScroll: true }),
-  );
+  requestAnimationFrame(() => {
+    element?.querySelector<HTMLElement>(".walkable, .walk-controls :is(input, button)")?.focus({ preventScroll: true });
+    boardsInView(element, ".panel.actor");
+  });
+}
+
+async function startGuessing(playground: PlayPanelStores, { currentTarget }: Event): Promise<void> {
+  const element = (currentTarget as Element).closest("mo-copp-playground");
+  await playground.guess.start();
+  requestAnimationFrame(() => boardsInView(element, ".panel.adversarial"));
 }
 
 export function playPanel(playground: PlayPanelStores): TemplateResult {
@@ -28,7 +36,7 @@ export function playPanel(playground: PlayPanelStores): TemplateResult {
     <div>
       <h3>You are the enemy</h3>
       <p>A goal is drawn, and you see only what the enemy is told. Guess where the agent is going.</p>
-      <button type="button" class="primary" @click=${() => void playground.guess.start()}>Start guessing</button>
+      <button type="button" class="primary" @click=${(event: Event) => void startGuessing(playground, event)}>Start guessing</button>
     </div>
   </div>`;
 }

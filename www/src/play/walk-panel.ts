@@ -5,8 +5,6 @@ import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import type { Verdict, Walk } from "../state/walk.js";
 import { shortNumber } from "../view/numbers.js";
-import { chooser } from "./chooser.js";
-import { arrows } from "./walk-keys.js";
 
 export interface WalkPanelStores {
   walk: Walk;
@@ -14,22 +12,33 @@ export interface WalkPanelStores {
   timeline: Timeline;
 }
 
-const hints: Partial<Record<Scene["format"], string>> = {
-  gridworld: "Use the arrow keys on the agent's board, click a cell beside the agent, or these buttons.",
-  "box-pushing":
-    "Use the keys on the agent's board (up: move forward, left and right: turn, S: stay), or these buttons.",
-  "recycling-robot":
-    "Use the keys on the agent's board (arrows, P: pick up, D: drop, C: charge, S: stay), or these buttons.",
+/** How each kind of board is walked on, by key and by touch. */
+const hints: Partial<Record<Scene["format"], { keys: string; touch: string }>> = {
+  gridworld: {
+    keys: "Use the arrow keys on the agent's board, click a cell beside the agent, or the arrows under the board.",
+    touch: "Touch a cell beside the agent, or the arrows under its board.",
+  },
+  "box-pushing": {
+    keys: "Use the keys on the agent's board (up: move forward, left and right: turn, S: stay), or the buttons under it.",
+    touch: "Use the buttons under the agent's board.",
+  },
+  "recycling-robot": {
+    keys: "Use the keys on the agent's board (arrows, P: pick up, D: drop, C: charge, S: stay), or the buttons under it.",
+    touch: "Use the buttons under the agent's board.",
+  },
 };
 
 export function walkPanel(playground: WalkPanelStores): TemplateResult {
   const walk = playground.walk;
   const format = playground.boards.scene.value?.format;
-  const grid = format === "gridworld";
+  const hint = format === undefined ? undefined : hints[format];
   const { step } = playground.timeline;
   return html`<div class="play walk">
-    <p>${(format !== undefined && hints[format]) || "Choose what to do next."} Reach the true goal, marked with a star.</p>
-    ${grid ? pad(walk) : chooser(walk)}
+    <p>${
+      hint === undefined
+        ? "Choose what to do next under the agent's board."
+        : html`<span class="by-key">${hint.keys}</span><span class="by-touch">${hint.touch}</span>`
+    } Reach the true goal, marked with a star.</p>
     <div class="actions">
       <button type="button" ?disabled=${step.value === 0} @click=${() => void walk.back()}>Take back a step</button>
       <button type="button" ?disabled=${step.value === 0} @click=${() => void walk.start()}>Start over</button>
@@ -38,20 +47,6 @@ export function walkPanel(playground: WalkPanelStores): TemplateResult {
     <div role="status" class="result">
       ${walk.message.value === "" ? "" : html`<p>${walk.message.value}</p>`} ${judged(walk, walk.verdict.value)}
     </div>
-  </div>`;
-}
-
-/** A cross of buttons, for a finger. */
-function pad(walk: Walk): TemplateResult {
-  const possible = new Set(walk.next.value.map(({ action }) => action));
-  const names = [...Object.values(arrows).map(({ action }) => action), ...(possible.has("stay") ? ["stay"] : [])];
-  return html`<div class="pad">
-    ${names.map(
-      (action) => html`<button type="button" class="sign main ${action}" aria-label=${action} title=${action}
-        aria-disabled=${String(!possible.has(action))} @click=${() => void walk.take(action)}>${
-          Object.values(arrows).find((arrow) => arrow.action === action)?.sign ?? "·"
-        }</button>`,
-    )}
   </div>`;
 }
 

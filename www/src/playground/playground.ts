@@ -18,6 +18,7 @@ import { Tradeoff } from "../state/tradeoff.js";
 import { Walk } from "../state/walk.js";
 import { Workbench } from "../state/workbench.js";
 import { Draft } from "../text/draft.js";
+import { Copier } from "../view/copier.js";
 
 export class Playground {
   readonly workbench = new Workbench();
@@ -38,6 +39,7 @@ export class Playground {
   readonly tradeoff = new Tradeoff(this);
   readonly gallery = new Gallery(this);
   readonly draft = new Draft(this);
+  readonly command = new Copier();
 
   dispose(): void {
     const { timeline, solving, answer, walk, guess, adviser, comparison, tradeoff, draft } = this;

@@ -1,5 +1,7 @@
 // Names that a person types: what they become, and why one can't be taken.
 
+import { unseenIn, visible } from "./unseen.js";
+
 /** No wider label helps anybody. */
 export const LONGEST_NAME = 100;
 
@@ -14,6 +16,8 @@ export const tidied = (text: string): string =>
 /** Why a name can't be taken, or null where it can; `others` are the names that are taken. */
 export function nameFault(name: string, others: readonly string[]): string | null {
   if (name === "") return "A name is needed.";
+  const [unseen] = unseenIn(name);
+  if (unseen !== undefined) return `“${visible(name)}” holds ${unseen}, which can’t be seen: take it out.`;
   if (others.includes(name)) return `“${name}” is taken: every name must be its own.`;
   return null;
 }

@@ -2,9 +2,9 @@
 import { signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
 import type { OpenProblem } from "../state/open-problem.js";
+import { copy } from "../view/clipboard.js";
 import { chain, tick } from "../view/icons.js";
 import type { Address } from "./address.js";
-import { copy } from "./clipboard.js";
 
 interface CopyLinkStores {
   problem: OpenProblem;

@@ -6,7 +6,7 @@ const VERSION = 1;
 
 /** Browsers take more, programs that pass links on do not. */
 export const LONGEST_LINK = 60_000;
-/** Some kilobytes of deflated text can be gigabytes. No problem that can be drawn is larger. */
+/** Some kilobytes of deflated text can be gigabytes. What is larger than this has no link as short as it must be. */
 export const MOST_TEXT = 2_000_000;
 /** What is inflated in one piece; deflated text grows to at most about a thousand times its size. */
 const PIECE = 1024;

@@ -21,7 +21,7 @@ export function result(playground: ResultStores): TemplateResult {
   // Only the answer is announced: progress changes many times a second.
   return html`<div class="result">
     ${solving ? working(playground) : nothing}
-    <div role="status">${solving || last === null ? nothing : answered(last)}</div>
+    <div role="status">${solving || last === null ? nothing : answered(last, playground.answer.optimum.value)}</div>
     ${solving || last === null ? nothing : further(playground, last)} ${shownPlan(playground)}
   </div>`;
 }
@@ -32,9 +32,9 @@ function working(playground: ResultStores): TemplateResult {
     <small>The best plan found so far is kept.</small>`;
 }
 
-function answered(last: Result): TemplateResult {
+function answered(last: Result, optimum: Result | null): TemplateResult {
   const { options } = last;
-  return html`<p><b>${solvers[options.solver].title}: ${verdict(last)}${scope(last)}.</b> ${figures(last)} ${caveat(last)}</p>`;
+  return html`<p><b>${solvers[options.solver].title}: ${verdict(last)}${scope(last)}.</b> ${figures(last)} ${caveat(last, optimum)}</p>`;
 }
 
 function figures({ outcome }: Result): string {

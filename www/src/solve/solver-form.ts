@@ -2,10 +2,11 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
 import { type Form, reads, solverNames, solvers } from "../state/form.js";
+import { type CommandLineStores, commandLine } from "./command-line.js";
 import { type NumberFieldStores, numberField } from "./number-field.js";
 import { type ResultStores, result } from "./result.js";
 
-export type SolverFormStores = NumberFieldStores & ResultStores;
+export type SolverFormStores = NumberFieldStores & ResultStores & CommandLineStores;
 
 export function solverForm(playground: SolverFormStores): TemplateResult {
   const form = playground.form.value;
@@ -29,7 +30,7 @@ export function solverForm(playground: SolverFormStores): TemplateResult {
       reads(form, name) ? numberField(playground, name, name) : nothing,
     )}
     ${exact ? nothing : html`<div class="actions">${solveButton(playground)}</div>`}
-    ${result(playground)}
+    ${result(playground)} ${commandLine(playground)}
   </form>`;
 }
 

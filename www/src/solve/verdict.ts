@@ -48,14 +48,37 @@ export function proved({ options, outcome }: Result): string {
   return ` of ${counted(moves, "move")}`;
 }
 
+/** No goal difference is larger, whatever the problem. */
+const LARGEST = 1;
+
+/** The figures of plans are fractions: the same one can come out of two sums. */
+const sameOrMore = (one: number, other: number): boolean => one > other - 1e-9;
+
+/** Whether every plan that keeps to the second options keeps to the first. */
+const isWider = (one: SolveOptions | undefined, other: SolveOptions): boolean =>
+  (["k", "j", "horizon"] as const).every((name) => one?.[name] === undefined || one[name] === other[name]);
+
+/** Why no better plan exists, where that is known; `optimum`: the answer of the exact search to the same question. */
+function unbeaten({ options, outcome: { goal_difference: own } }: Result, optimum: Result | null): string {
+  if (own === null) return "";
+  if (sameOrMore(own, LARGEST)) return "No plan has a larger one.";
+  const best = optimum?.outcome;
+  const proved = best?.status === "optimal" && best.goal_difference !== null && sameOrMore(own, best.goal_difference);
+  return proved && isWider(optimum?.options, options) ? "That is the best possible." : "";
+}
+
 /** What the answer leaves open, as a sentence. */
-export function caveat({ options, outcome }: Result): string {
+export function caveat({ options, outcome }: Result, optimum: Result | null): string {
   const { status, limit } = outcome;
+  const known = unbeaten({ options, outcome }, optimum);
   if (status === "solved") {
+    if (known !== "") return known;
     return options.solver === "baseline" ? "It looks for no better plan." : "A better plan may exist.";
   }
   const why = limit === undefined || limit === "stopped on request" ? "" : ` (${limit})`;
-  if (status === "feasible") return `It was stopped before the proof${why}; a better plan may exist.`;
+  if (status === "feasible") {
+    return `It was stopped before the proof${why}${known === "" ? "; a better plan may exist." : `. ${known}`}`;
+  }
   if (status === "limit") return `No plan was found and nothing is proved${why}.`;
   return "";
 }

@@ -1,4 +1,5 @@
 // The step, said once in words for those who do not see the boards.
+
 import { effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import { html, type TemplateResult } from "lit";
 import type { TraceStep } from "../core.js";
@@ -6,6 +7,7 @@ import type { Boards } from "../state/boards.js";
 import type { Editing } from "../state/editing.js";
 import type { Timeline } from "../state/timeline.js";
 import { actionText } from "../view/action.js";
+import { named } from "../view/names.js";
 import { called, type Role } from "../view/observers.js";
 import { pressed } from "../view/pressed.js";
 import { stateCount } from "./belief-size.js";
@@ -70,7 +72,7 @@ function part(role: Role, shown: TraceStep): string {
   const symbol = shown.symbols[role];
   const states = stateCount(shown, role);
   return [
-    `the ${called[role]} ${symbol === null ? "has seen nothing yet" : `saw ${symbol}`}`,
+    `the ${called[role]} ${symbol === null ? "has seen nothing yet" : `saw ${named(symbol)}`}`,
     `${states} ${states === 1 ? "state" : "states"} left`,
     survive(shown.goals[role]),
   ].join(", ");
@@ -78,6 +80,6 @@ function part(role: Role, shown: TraceStep): string {
 
 function survive(goals: readonly string[]): string {
   if (goals.length === 0) return "no goal survives at this step";
-  if (goals.length === 1) return `goal ${goals[0]} survives`;
-  return `goals ${goals.slice(0, -1).join(", ")} and ${goals.at(-1)} survive`;
+  if (goals.length === 1) return `goal ${named(goals[0] ?? "")} survives`;
+  return `goals ${goals.slice(0, -1).map(named).join(", ")} and ${named(goals.at(-1) ?? "")} survive`;
 }

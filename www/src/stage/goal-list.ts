@@ -1,9 +1,12 @@
 // The candidate goals, and whether each is possible for each observer: at the step shown, and at the end.
+
 import { html, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
+import { visible } from "../problem/unseen.js";
 import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import { possible, ruledOut, star } from "../view/icons.js";
+import { named } from "../view/names.js";
 import { called, type Role, roles } from "../view/observers.js";
 import { isDelivery } from "./delivery/facts.js";
 import { type GoalView, goalViews } from "./goal-attributes.js";
@@ -43,9 +46,9 @@ export function goalList(playground: GoalListStores): TemplateResult | "" {
           <th scope="row">
             ${
               guessing
-                ? html`<span class="name" title=${goal.name}>${goal.name}</span>`
-                : html`<button type="button" class="choose name" title="${goal.name}: show when it dies"
-                    @click=${() => playground.boards.story.choose(goal.name)}>${goal.name}</button>`
+                ? html`<span class="name" title=${named(goal.name)}>${visible(goal.name)}</span>`
+                : html`<button type="button" class="choose name" title="${named(goal.name)}: show when it dies"
+                    @click=${() => playground.boards.story.choose(goal.name)}>${visible(goal.name)}</button>`
             }
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
             ${asked(index)}

@@ -1,9 +1,12 @@
 // The head of a panel: who it is about, and what has just happened to them.
+
 import { html, type TemplateResult } from "lit";
+import { visible } from "../problem/unseen.js";
 import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import { actionText } from "../view/action.js";
 import { agentFace, enemyEye, friendEye } from "../view/icons.js";
+import { named } from "../view/names.js";
 import type { BoardName } from "./board-input.js";
 
 export interface PanelHeadStores {
@@ -32,5 +35,5 @@ function now(name: BoardName, { timeline, boards: { mode } }: PanelHeadStores): 
     return html`${who} did <b title=${shown.action}>${actionText(shown.action)}</b>.`;
   }
   const symbol = shown.symbols[name];
-  return symbol === null ? "Has seen nothing yet." : html`Was told <b title=${symbol}>${symbol}</b>.`;
+  return symbol === null ? "Has seen nothing yet." : html`Was told <b title=${named(symbol)}>${visible(symbol)}</b>.`;
 }

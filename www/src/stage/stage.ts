@@ -1,5 +1,6 @@
 // The stage: the agent in the middle, the enemy on one side and the friend on the other, all at the same step.
 import { html, nothing, type TemplateResult } from "lit";
+import { type WalkControlStores, walkControls } from "../play/walk-controls.js";
 import { hasWalkKeys, type WalkKeyStores, walkByKey, walkByPointer } from "../play/walk-keys.js";
 import type { Answer } from "../state/answer.js";
 import type { BoardInput, BoardName } from "./board-input.js";
@@ -12,6 +13,7 @@ import type { BoardStores } from "./view.js";
 
 export interface StageStores
   extends BoardStores,
+    WalkControlStores,
     WalkKeyStores,
     GoalDifferenceStores,
     PanelHeadStores,
@@ -45,6 +47,7 @@ export function stage(playground: StageStores): TemplateResult {
       return html`<figure class="panel ${name}" part="board ${name}-board" data-hidden=${hidden || nothing}>
         <figcaption>${panelHead(name, playground)} ${hidden ? nothing : symbols(name, playground)}</figcaption>
         ${hidden ? html`<p class="covered">Covered while you are the enemy.</p>` : walkable(name, input, playground)}
+        ${name === "actor" && playground.boards.mode.value === "walk" ? walkControls(playground) : nothing}
         <div class="verdict">
           ${hidden ? nothing : name === "actor" ? goalDifference(playground) : survivors(name, input, playground)}
         </div>

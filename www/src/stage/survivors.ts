@@ -1,8 +1,11 @@
 // The goals that an observer still thinks possible at the step shown.
+
 import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
+import { visible } from "../problem/unseen.js";
 import type { Boards } from "../state/boards.js";
 import { possible, ruledOut, star } from "../view/icons.js";
+import { named } from "../view/names.js";
 import { wholeNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
 import { stateCount } from "./belief-size.js";
@@ -33,8 +36,8 @@ export function survivors(
       ${goals.map(
         (goal) => html`<li class=${goal.alive[role] ? "alive" : "dead"} data-goal=${goal.name}
           data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
-          ?data-true-goal=${goal.isTrue} title="${goal.name}: show when it dies" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
-          ${goal.alive[role] ? possible : ruledOut}<span class="name">${goal.name}</span>${goal.isTrue ? star : ""}
+          ?data-true-goal=${goal.isTrue} title="${named(goal.name)}: show when it dies" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
+          ${goal.alive[role] ? possible : ruledOut}<span class="name">${visible(goal.name)}</span>${goal.isTrue ? star : ""}
           <span class="unseen">${goal.alive[role] ? "possible" : "not possible now"}</span>
         </li>`,
       )}

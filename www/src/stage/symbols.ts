@@ -1,9 +1,12 @@
 // All that an observer was told so far, or all that the agent did, one mark a step. Choosing one shows its step.
+
 import { html, type TemplateResult } from "lit";
 import type { TraceStep } from "../core.js";
+import { visible } from "../problem/unseen.js";
 import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import { actionText } from "../view/action.js";
+import { named } from "../view/names.js";
 import type { BoardName } from "./board-input.js";
 
 export interface SymbolStores {
@@ -19,7 +22,7 @@ const labels: Record<BoardName, string> = {
 
 export function symbols(name: BoardName, playground: SymbolStores): TemplateResult {
   const { trace, step } = playground.timeline;
-  const of = (shown: TraceStep) => (name === "actor" ? actionText(shown.action) : shown.symbols[name]);
+  const of = (shown: TraceStep) => (name === "actor" ? actionText(shown.action) : visible(shown.symbols[name] ?? ""));
   const steps = trace.value?.steps.slice(1) ?? [];
   // As the enemy one sees what has come, not what will.
   const seen = playground.boards.mode.value === "guess" ? steps.slice(0, step.value) : steps;
@@ -28,7 +31,7 @@ export function symbols(name: BoardName, playground: SymbolStores): TemplateResu
       const at = index + 1;
       const when = at === step.value ? "now" : at < step.value ? "past" : "future";
       return html`<li class=${when} aria-current=${at === step.value ? "step" : "false"} aria-hidden=${String(at > step.value)}
-        title="Step ${at}: ${of(shown)}" @click=${() => playground.timeline.goTo(at)}>${of(shown)}</li>`;
+        title="Step ${at}: ${named(of(shown))}" @click=${() => playground.timeline.goTo(at)}>${of(shown)}</li>`;
     })}
   </ol>`;
 }

@@ -4,7 +4,7 @@ import type { Progress, SolveOptions } from "../core.js";
 import type { Ending } from "../worker/client.js";
 import { runWithin } from "../worker/patience.js";
 import { TaskRunner } from "../worker/runner.js";
-import type { Result } from "./answer.js";
+import type { Answer, Result } from "./answer.js";
 import { emptyForm, type Form, optionsOf, solvers } from "./form.js";
 import { lost } from "./lost.js";
 import type { OpenDocument, OpenProblem } from "./open-problem.js";
@@ -45,6 +45,16 @@ export interface Row {
 interface Stores {
   problem: Pick<OpenProblem, "document">;
   form: ReadonlySignal<Form>;
+  answer: Pick<Answer, "optimum">;
+}
+
+export type Bounds = Pick<Form, "k" | "j">;
+
+interface Asked {
+  document: OpenDocument;
+  chosen: string;
+  /** What solvers were asked for, as far as they read it. */
+  numbers: ReturnType<typeof numbersOf>;
 }
 
 export class Comparison {
@@ -55,8 +65,17 @@ export class Comparison {
   readonly progress = signal<Progress | null>(null);
   readonly stopwatch = new Stopwatch();
   readonly patience = signal<number>(initialPatience);
+  /** Where no bound was chosen, solvers are asked for what the best plan reaches: some have nothing to keep to without. */
+  readonly bounded = signal(true);
   /** What was compared: null before the first time. */
-  private readonly asked = signal<{ document: OpenDocument; bounds: string } | null>(null);
+  readonly asked = signal<Asked | null>(null);
+  /** What the best plan reaches, where no bound was chosen. */
+  readonly suggested: ReadonlySignal<Bounds | null> = computed(() => {
+    const { k, j } = this.stores.form.value;
+    const goals = this.stores.answer.optimum.value?.outcome.goals;
+    if (k !== "" || j !== "" || goals === undefined || goals === null) return null;
+    return { k: String(goals.adversarial.length), j: String(goals.cooperative.length) };
+  });
   private readonly runner = new TaskRunner("later");
   private ended: Row["ended"];
 
@@ -65,7 +84,7 @@ export class Comparison {
   readonly outdated: ReadonlySignal<boolean> = computed(() => {
     const asked = this.asked.value;
     const document = this.stores.problem.document.value;
-    return asked !== null && (asked.document !== document || asked.bounds !== boundsOf(this.stores.form.value));
+    return asked !== null && (asked.document !== document || asked.chosen !== this.chosen());
   });
 
   constructor(private readonly stores: Stores) {
@@ -77,8 +96,9 @@ export class Comparison {
   async start(): Promise<void> {
     const document = this.stores.problem.document.value;
     if (document === null || this.running.peek()) return;
-    const form = this.stores.form.value;
-    const asked = { document, bounds: boundsOf(form) };
+    const suggested = this.bounded.value ? this.suggested.value : null;
+    const numbers = { ...numbersOf(this.stores.form.value), ...suggested };
+    const asked = { document, chosen: this.chosen(), numbers };
     batch(() => {
       this.cancelled.value = false;
       this.asked.value = asked;
@@ -87,7 +107,7 @@ export class Comparison {
     });
     for (const [index, { chosen }] of entrants.entries()) {
       if (this.cancelled.peek()) break;
-      const options = optionsOf({ ...emptyForm, ...numbersOf(form), ...chosen });
+      const options = optionsOf({ ...emptyForm, ...numbers, ...chosen });
       if (typeof options === "string") this.change(index, { state: "failed", message: options });
       else await this.runOne(index, document, options);
       // Another comparison may have taken its place.
@@ -108,6 +128,11 @@ export class Comparison {
   cancel(): void {
     this.cancelled.value = true;
     this.end("cancelled");
+  }
+
+  /** What was chosen of what solvers are asked for. */
+  private chosen(): string {
+    return JSON.stringify([numbersOf(this.stores.form.value), this.bounded.value]);
   }
 
   private end(how: Row["ended"]): void {
@@ -178,4 +203,3 @@ function rowOf(
 }
 
 const numbersOf = ({ k, j, horizon, horizonStep }: Form) => ({ k, j, horizon, horizonStep });
-const boundsOf = (form: Form): string => JSON.stringify(numbersOf(form));

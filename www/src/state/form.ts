@@ -63,7 +63,8 @@ export function optionsOf(form: Form): SolveOptions | string {
   for (const field of ["k", "j", "horizon", "horizonStep"] as const) {
     const text = form[field].trim();
     if (!reads(form, field) || text === "") continue;
-    if (!/^\d{1,6}$/.test(text)) return `${fieldNames[field]} must be a whole number; found “${text}”.`;
+    if (!/^\d+$/.test(text)) return `${fieldNames[field]} must be a whole number; found “${text}”.`;
+    if (text.length > MOST_DIGITS) return `${fieldNames[field]} must be at most ${most[field]}; found “${text}”.`;
     options[field === "horizonStep" ? "horizon_step" : field] = Number(text);
   }
   return options;
@@ -76,5 +77,10 @@ export function exactOptions(form: Form): SolveOptions | string {
   const { encoding, horizon_step, ...others } = options;
   return { ...others, solver: "exact" };
 }
+
+/** Numbers with more digits are above what the core takes, which says the rest of its ranges itself. */
+const MOST_DIGITS = 6;
+
+const most = { k: "the number of goals", j: "the number of goals", horizon: "10,000", horizonStep: "10,000" };
 
 const fieldNames = { k: "k", j: "j", horizon: "The plan length", horizonStep: "The step" };

@@ -1,7 +1,9 @@
 // What is said of a worker that was lost.
 import type { Ending } from "../worker/client.js";
 
-export const lost = ({ message, forbidden }: Extract<Ending, { kind: "lost" }>): string =>
-  forbidden
-    ? `The solver cannot run here: ${message}.`
-    : `The solver stopped unexpectedly (${message}). Your problem is as it was, and another solver is ready.`;
+export function lost({ message, forbidden, unstarted }: Extract<Ending, { kind: "lost" }>): string {
+  if (forbidden) return `The solver cannot run here: ${message}.`;
+  if (unstarted)
+    return `The solver could not be started (${message}). It needs a connection to load, and a browser that allows WebAssembly.`;
+  return `The solver stopped unexpectedly (${message}). Your problem is as it was, and another solver is ready.`;
+}

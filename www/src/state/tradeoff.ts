@@ -1,24 +1,16 @@
 // What plans can reach: every pair of survivor counts, and the best of every length. Both follow the problem while they
 // are looked at.
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { LengthPoint, Outcome, Progress, SolveOptions } from "../core.js";
+import type { LengthPoint, Progress, SolveOptions } from "../core.js";
 import type { Ending } from "../worker/client.js";
 import { runWithin } from "../worker/patience.js";
 import { TaskRunner } from "../worker/runner.js";
 import type { Form } from "./form.js";
 import { lost } from "./lost.js";
 import type { OpenDocument, OpenProblem } from "./open-problem.js";
+import { hasAllPairs, merged, type Pairs, shortest } from "./pairs.js";
 import { Stopwatch } from "./stopwatch.js";
 import type { Workbench } from "./workbench.js";
-
-export type Pair = NonNullable<Outcome["pareto"]>[number];
-
-export interface Pairs {
-  document: OpenDocument;
-  points: readonly Pair[];
-  /** Plans of how many moves were looked at; null for all lengths. */
-  upTo: number | null;
-}
 
 export interface Lengths {
   document: OpenDocument;
@@ -127,23 +119,27 @@ export class Tradeoff {
     };
 
     let longest = 0;
-    if (known?.document === document && known.upTo === null) {
+    if (known?.document === document && known.known.kind === "all") {
       longest = shortest(known.points) + asked.extra;
     } else {
       const all = await solve({ pareto: true });
       if (all === null) return;
+      const points = all.pareto ?? [];
       if (hasAllPairs(all)) {
-        const points = all.pareto ?? [];
-        this.pairs.value = { document, points, upTo: null };
+        this.pairs.value = { document, points, known: { kind: "all" } };
         longest = shortest(points) + asked.extra;
       } else {
         // Too many beliefs for plans of every length: short ones have fewer.
         this.cut.value = true;
-        longest = (all.plan?.length ?? 0) + asked.extra;
-        const some = await solve({ pareto: true, lengths: Math.min(MOST_LENGTHS, longest) });
+        this.pairs.value = { document, points, known: { kind: "found" } };
+        longest = Math.min(MOST_LENGTHS, (all.plan?.length ?? 0) + asked.extra);
+        const some = await solve({ pareto: true, lengths: longest });
         if (some === null) return;
-        const upTo = hasAllPairs(some) ? longest : 0;
-        this.pairs.value = { document, points: some.pareto ?? [], upTo };
+        this.pairs.value = {
+          document,
+          points: merged(points, some.pareto ?? []),
+          known: hasAllPairs(some) ? { kind: "up to", moves: longest } : { kind: "found" },
+        };
       }
     }
     const best = await solve({ ...asked.bounds, lengths: Math.min(MOST_LENGTHS, longest) });
@@ -183,10 +179,3 @@ export class Tradeoff {
     if (ending.kind === "lost") this.error.value = lost(ending);
   }
 }
-
-const shortest = (points: readonly Pair[]): number =>
-  points.length === 0 ? 0 : Math.min(...points.map(({ plan }) => plan.length));
-
-/** A plan may be proved the best while there are pairs that nobody has met. */
-const hasAllPairs = ({ status, pareto_complete }: Solved): boolean =>
-  (status === "optimal" || status === "infeasible") && pareto_complete !== false;

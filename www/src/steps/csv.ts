@@ -1,5 +1,6 @@
-// The steps as comma-separated values (RFC 4180), for a spreadsheet.
+// The steps as a table for a spreadsheet.
 import type { Trace } from "../core.js";
+import { csvText } from "../view/csv.js";
 import { called, roles } from "../view/observers.js";
 import { stepRow } from "./row.js";
 
@@ -14,15 +15,9 @@ export function csv(trace: Trace): string {
     const { step, action, observers, difference } = stepRow(shown, index);
     const seen = roles.flatMap((role) => {
       const { symbol, states, goals } = observers[role];
-      return [text(symbol), String(states), text(goals.join("; "))];
+      return [symbol, states, goals.join("; ")];
     });
-    return [String(step), text(action), ...seen, String(difference)];
+    return [step, action, ...seen, difference];
   });
-  return [head, ...rows].map((row) => `${row.join(",")}\r\n`).join("");
-}
-
-/** Names are the document's: a spreadsheet must not take one for a formula. */
-function text(value: string): string {
-  const harmless = /^[=+\-@\t\r]/.test(value) ? `'${value}` : value;
-  return /[",\r\n]/.test(harmless) ? `"${harmless.replaceAll('"', '""')}"` : harmless;
+  return csvText([head, ...rows]);
 }

@@ -1,10 +1,12 @@
 // The table of the steps: what the boards show, in words and numbers. Choosing a row shows its step.
+
 import { html, nothing, type TemplateResult } from "lit";
 import type { Gallery } from "../gallery/gallery.js";
 import { glossaryLink } from "../help/glossary-link.js";
 import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import { download } from "../view/download.js";
+import { named, visible } from "../view/names.js";
 import { shortNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
 import { csv } from "./csv.js";
@@ -75,7 +77,8 @@ function row(playground: StepsTableStores, step: StepRow, seen: readonly Role[],
 }
 
 /** A long name is cut off for the eye alone. */
-const clipped = (name: string): TemplateResult => html`<span class="clipped" title=${name}>${name}</span>`;
+const clipped = (name: string): TemplateResult =>
+  html`<span class="clipped" title=${named(name)}>${visible(name)}</span>`;
 
 const listed = (names: readonly string[]) =>
   names.map((name, index) => html`${index === 0 ? nothing : ", "}${clipped(name)}`);
@@ -86,5 +89,5 @@ const MOST_NAMES = 8;
 function save({ timeline, gallery }: StepsTableStores): void {
   const trace = timeline.trace.value;
   if (trace === null) return;
-  download(csv(trace), "text/csv", `${gallery.current.value?.name ?? "problem"}-steps.csv`);
+  download(csv(trace), "text/csv", `${gallery.fileName.value}-steps.csv`);
 }

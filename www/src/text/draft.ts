@@ -1,21 +1,24 @@
 // What stands in the document's text field: the document that is open, or what somebody is making of it.
-import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Answer } from "../state/answer.js";
 import { Coalesce } from "../state/coalesce.js";
 import type { Edits } from "../state/edits.js";
 import type { OpenProblem } from "../state/open-problem.js";
+import type { Workbench } from "../state/workbench.js";
 import type { Fault } from "../worker/protocol.js";
 import { TaskRunner } from "../worker/runner.js";
+import { type Begun, KeptDraft } from "./kept-draft.js";
 
 interface DraftStores {
   problem: OpenProblem;
   answer: Answer;
   edits: Edits;
+  workbench: Pick<Workbench, "id" | "open">;
 }
 
 export class Draft {
   /** The text as it was changed, and the document that it was changed from or is kept beside. */
-  private readonly typed = signal<{ text: string; from: string } | null>(null);
+  private readonly typed = signal<Begun | null>(null);
   /** What the core said of a text last. */
   readonly checked = signal<{ text: string; fault: Fault | null } | null>(null);
 
@@ -34,7 +37,29 @@ export class Draft {
   private readonly checker = new TaskRunner("soon");
   private readonly checks = new Coalesce<string>((text) => this.perform(text));
 
-  constructor(private readonly playground: DraftStores) {}
+  /** What is wrong with the text is to be shown at its place as soon as that is known. */
+  readonly toFault = signal(false);
+  private readonly kept: KeptDraft;
+  /** Whether what was kept was looked for: there is a document that it may belong to. */
+  private begun = false;
+  private written: Begun | null = null;
+
+  constructor(private readonly playground: DraftStores) {
+    this.kept = new KeptDraft(playground.workbench.id);
+    effect(() => {
+      const document = this.playground.problem.document.value;
+      if (document === null) return;
+      if (!this.begun) {
+        this.begun = true;
+        this.typed.value ??= this.kept.read(document.text);
+      }
+      this.kept.listen();
+      const begun = this.changed.value ? this.typed.value : null;
+      // What was begun from another document stays kept until there is something newer.
+      if (begun !== this.written) this.kept.write(begun);
+      this.written = begun;
+    });
+  }
 
   type(text: string): void {
     if (this.playground.answer.error.peek() === this.refused) this.playground.answer.error.value = null;
@@ -62,12 +87,29 @@ export class Draft {
     this.typed.value = null;
   }
 
-  /** Makes the text the open document. */
-  async use(): Promise<void> {
+  /** What the core says of a text; null where that is nothing, or it could not be asked. */
+  async faultOf(text: string): Promise<Fault | null> {
+    if (this.checked.value?.text !== text) await this.perform(text);
+    return this.checked.value?.text === text ? this.checked.value.fault : null;
+  }
+
+  /** Shows a text that the core refused at what is wrong with it; not where another text would be lost by that. */
+  present(text: string): void {
+    if (this.changed.value) return;
+    this.type(text);
+    this.toFault.value = true;
+    this.playground.workbench.open("document");
+  }
+
+  /** Makes the text the open document. `words`: how what is wrong with it is said. */
+  async use(words: (fault: Fault) => string): Promise<void> {
     const text = this.text.value;
     this.refused = undefined;
     if (!(await this.playground.edits.open(text))) {
-      this.refused = this.playground.answer.error.peek();
+      const { error } = this.playground.answer;
+      const fault = await this.faultOf(text);
+      if (fault !== null && error.peek() === fault.message) error.value = words(fault);
+      this.refused = error.peek();
       return;
     }
     // Somebody may have gone on typing.
@@ -76,6 +118,7 @@ export class Draft {
   }
 
   dispose(): void {
+    this.kept.release();
     this.checks.clear();
     this.checker.dispose();
   }

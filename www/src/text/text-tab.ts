@@ -2,6 +2,7 @@
 import { json } from "@codemirror/lang-json";
 import { signal } from "@preact/signals-core";
 import { written } from "../problem/text.js";
+import { inWhole } from "../share/fault-words.js";
 import type { Draft } from "./draft.js";
 import { markAt } from "./fault.js";
 import { compose, markIn, type PartName, type Parts, partNames, split } from "./parts.js";
@@ -67,7 +68,8 @@ export class TextTab {
   async use(): Promise<void> {
     const { draft } = this.playground;
     draft.check(this.textOfView());
-    await draft.use();
+    const inParts = this.shown?.parts != null;
+    await draft.use(inParts ? ({ message }) => message : inWhole);
   }
 
   goToFault(): void {
@@ -150,8 +152,15 @@ export class TextTab {
     // Until the core has read the newest text, what is marked stays marked.
     if (checked?.text !== text) return;
     const { fault } = checked;
+    if (draft.toFault.peek()) {
+      // Once it is marked, and the fields stand in the page.
+      queueMicrotask(() => {
+        draft.toFault.value = false;
+        requestAnimationFrame(() => this.goToFault());
+      });
+    }
     if (parts === null) {
-      this.whole.mark(fault && markAt(this.whole.doc, fault.place, fault.message));
+      this.whole.mark(fault && markAt(this.whole.doc, fault.place, inWhole(fault)));
       return;
     }
     const { domain, problem, rest } = this.fields;

@@ -1,2 +1,4 @@
 // Actions as people read them: PDDL writes `(stack a b)`.
-export const actionText = (action: string | null): string => (action ?? "").replace(/^\((.*)\)$/s, "$1");
+import { visible } from "../problem/unseen.js";
+
+export const actionText = (action: string | null): string => visible((action ?? "").replace(/^\((.*)\)$/s, "$1"));

@@ -15,8 +15,9 @@ export type Ending =
   /** `replaced`: the worker did not obey a cancel, and another took its place. */
   | (Extract<Answer, { kind: "solved" }> & { replaced?: true })
   | { kind: "stale" }
-  /** `forbidden`: by the page's content policy; the message says what the policy must allow. */
-  | { kind: "lost"; message: string; forbidden?: true };
+  /** `forbidden`: by the page's content policy; the message says what the policy must allow. `unstarted`: the worker
+   * never came to load the core. */
+  | { kind: "lost"; message: string; forbidden?: true; unstarted?: true };
 
 interface Current {
   id: number;
@@ -142,7 +143,12 @@ export class SolverClient {
     const worked = this.ready;
     this.stopWorker();
     if (worked) this.worker = this.startWorker();
-    this.finish({ kind: "lost", message, ...(forbidden ? { forbidden } : {}) });
+    this.finish({
+      kind: "lost",
+      message,
+      ...(forbidden ? { forbidden } : {}),
+      ...(worked ? {} : { unstarted: true }),
+    });
   }
 
   /** Ends a worker that is busy with a stale task, and gives the task to another. */

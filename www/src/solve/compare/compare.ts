@@ -1,15 +1,18 @@
 // All solvers side by side: the bounds they keep to, starting and ending them, and what each found.
 import { html, nothing, type TemplateResult } from "lit";
-import type { Answer } from "../../state/answer.js";
+import { live } from "lit/directives/live.js";
+import type { Gallery } from "../../gallery/gallery.js";
 import { patiences } from "../../state/comparison.js";
 import { counted } from "../../view/numbers.js";
+import { saveTable } from "../../view/save-table.js";
 import { type NumberFieldStores, numberField } from "../number-field.js";
 import { type ShownPlanStores, shownPlan } from "../shown-plan.js";
 import { work } from "../work.js";
+import { comparisonFile } from "./file.js";
 import { type ComparisonTableStores, comparisonTable } from "./table.js";
 
 export interface CompareStores extends NumberFieldStores, ComparisonTableStores, ShownPlanStores {
-  answer: Answer;
+  gallery: Gallery;
 }
 
 export function compare(playground: CompareStores): TemplateResult {
@@ -36,7 +39,7 @@ export function compare(playground: CompareStores): TemplateResult {
     </div>
     ${outdated ? html`<p class="outdated">These results are of an earlier problem, or of other bounds.</p>` : nothing}
     ${running && !outdated ? atWork(playground) : nothing}
-    ${again ? comparisonTable(playground) : nothing}
+    ${again ? html`${asked(playground)} ${comparisonTable(playground)} ${saveTable("the comparison", comparisonFile(playground))}` : nothing}
     <div role="status" class="unseen">${again && !running && !outdated ? end : nothing}</div>
     ${shownPlan(playground)}
   </div>`;
@@ -66,13 +69,28 @@ function patienceField({ comparison }: Pick<CompareStores, "comparison">): Templ
 }
 
 /** Three of the solvers need bounds: without, the first plan they find is all they say. */
-function suggestion(playground: CompareStores): TemplateResult | typeof nothing {
-  const { k, j } = playground.form.value;
-  const goals = playground.answer.optimum.value?.outcome.goals;
-  if (k !== "" || j !== "" || goals === undefined || goals === null) return nothing;
-  const bounds = { k: String(goals.adversarial.length), j: String(goals.cooperative.length) };
-  return html`<p class="hint">Without bounds, heuristic search, obfuscate and legible have nothing to keep to and take
-    the first plan they find.
-    <button type="button" class="small" @click=${() => playground.solving.edit(bounds)}>
-      Ask for what the best plan reaches: k = ${bounds.k}, j = ${bounds.j}</button></p>`;
+function suggestion({ comparison }: Pick<CompareStores, "comparison">): TemplateResult | typeof nothing {
+  const bounds = comparison.suggested.value;
+  if (bounds === null) return nothing;
+  const choose = (event: Event) => {
+    comparison.bounded.value = (event.target as HTMLInputElement).checked;
+  };
+  return html`<div class="hint">
+    <label><input type="checkbox" .checked=${live(comparison.bounded.value)} @change=${choose} />
+      Ask for what the best plan reaches: k = ${bounds.k}, j = ${bounds.j}</label>
+    <small>Without bounds, heuristic search, obfuscate and legible have nothing to keep to and take the first plan they find.</small>
+  </div>`;
+}
+
+/** What the solvers of the table were asked for. */
+function asked({ comparison }: Pick<CompareStores, "comparison">): TemplateResult | typeof nothing {
+  const numbers = comparison.asked.value?.numbers;
+  if (numbers === undefined) return nothing;
+  const { k, j, horizon } = numbers;
+  const parts = [
+    ...(k === "" ? [] : [`k = ${k}`]),
+    ...(j === "" ? [] : [`j = ${j}`]),
+    ...(horizon === "" ? [] : [`plans of ${counted(Number(horizon), "move")}`]),
+  ];
+  return html`<p class="asked-for">Asked for: ${parts.length === 0 ? "plans of any length, without bounds" : parts.join(", ")}.</p>`;
 }

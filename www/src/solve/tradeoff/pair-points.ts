@@ -1,9 +1,9 @@
 // The reachable pairs as they are shown: in the picture and in its table.
 import type { SolveOptions } from "../../core.js";
 import type { Boards } from "../../state/boards.js";
+import type { Pair } from "../../state/pairs.js";
 import type { Plans } from "../../state/plans.js";
 import type { Timeline } from "../../state/timeline.js";
-import type { Pair } from "../../state/tradeoff.js";
 import { counted, shortNumber } from "../../view/numbers.js";
 
 export interface PairPointStores {

@@ -2,19 +2,24 @@
 
 import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
+import type { Gallery } from "../../gallery/gallery.js";
 import type { Form } from "../../state/form.js";
-import { extras, type Lengths, type Pairs, type Tradeoff } from "../../state/tradeoff.js";
-import { counted, shortNumber } from "../../view/numbers.js";
+import type { Pairs } from "../../state/pairs.js";
+import { extras, type Lengths, type Tradeoff } from "../../state/tradeoff.js";
+import { saveTable } from "../../view/save-table.js";
 import { type ShownPlanStores, shownPlan } from "../shown-plan.js";
 import { work } from "../work.js";
+import { lengthsFile, pairsFile } from "./file.js";
 import { type LengthPointStores, lengthPoints } from "./length-points.js";
 import { lengthsChart } from "./lengths-chart.js";
 import { type Bounds, type PairPointStores, pairPoints } from "./pair-points.js";
 import { pairsChart } from "./pairs-chart.js";
 import { lengthsTable, pairsTable } from "./tables.js";
+import { lengthsInWords, pairsInWords } from "./words.js";
 
 export interface TradeoffStores extends LengthPointStores, PairPointStores, ShownPlanStores {
   tradeoff: Tradeoff;
+  gallery: Gallery;
   form: ReadonlySignal<Form>;
 }
 
@@ -60,40 +65,30 @@ export function tradeoff(playground: TradeoffStores): TemplateResult {
   </div>`;
 }
 
-function pairsPart(playground: TradeoffStores, { points: pairs, upTo }: Pairs): TemplateResult {
+function pairsPart(playground: TradeoffStores, pairs: Pairs): TemplateResult {
   const goals = playground.boards.scene.value?.goals.length ?? 2;
   const bounds = boundsOf(playground);
-  const points = pairPoints(playground, pairs, goals, bounds);
-  const plans = upTo === null ? "plans of every length" : `plans of at most ${counted(upTo, "move")}`;
+  const points = pairPoints(playground, pairs.points, goals, bounds);
   return html`<figure>
     <figcaption><h3>Who is left in doubt</h3>
-      <p>${
-        points.length === 0
-          ? upTo === 0
-            ? "Not known yet."
-            : "No plan reaches the true goal."
-          : html`${points.length} of ${goals * goals} pairs can be reached, by ${plans}. Up and to the left is better.`
-      }</p></figcaption>
-    ${points.length === 0 ? nothing : html`${pairsChart(points, goals, bounds)} ${pairsTable(points)}`}
+      <p>${pairsInWords(pairs, goals)}</p></figcaption>
+    ${points.length === 0 ? nothing : html`${pairsChart(points, goals, bounds)} ${pairsTable(points)} ${saveTable("the pairs", pairsFile(pairs, goals, playground.gallery.fileName.value))}`}
   </figure>`;
 }
 
-function lengthsPart(playground: TradeoffStores, { points: lengths, bounds, complete }: Lengths): TemplateResult {
+function lengthsPart(playground: TradeoffStores, shown: Lengths): TemplateResult {
+  const { points: lengths, bounds, complete } = shown;
   const points = lengthPoints(playground, lengths);
-  const [shortest, best] = [points[0], points.find((point) => point.best)];
-  const last = lengths.at(-1)?.length ?? 0;
   const within = bounds.k === undefined && bounds.j === undefined ? "" : " within the bounds";
   return html`<figure>
     <figcaption><h3>What longer plans gain</h3>
-      <p>${
-        shortest === undefined || best === undefined
-          ? `No plan of at most ${counted(last, "move")}${within}.`
-          : html`The shortest plan${within} has ${counted(shortest.length, "move")}; the best here,
-              ${shortNumber(best.goal_difference)}, ${best === shortest ? "is one of them" : html`needs ${best.length} moves`}.
-              ${complete ? nothing : html`Proved up to ${counted(last, "move")}.`}`
-      }</p></figcaption>
+      <p>${lengthsInWords(lengths, complete, within)}</p></figcaption>
     ${points.length === 0 ? nothing : lengthsChart(points, lengths)}
-    ${extraField(playground)} ${lengths.length === 0 ? nothing : lengthsTable(points, lengths)}
+    ${extraField(playground)} ${
+      lengths.length === 0
+        ? nothing
+        : html`${lengthsTable(points, lengths)} ${saveTable("the lengths", lengthsFile(shown, playground.gallery.fileName.value))}`
+    }
   </figure>`;
 }
 

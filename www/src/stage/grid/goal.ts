@@ -1,9 +1,12 @@
 // A candidate goal on a board: a badge with its name. On an observer's board it is filled while the goal is possible
 // for that observer, hollow and struck through when it is ruled out. On the agent's board it has a mark for each: a
 // diamond for the enemy, a disc for the friend, filled while the goal is possible for them. The true goal has a star.
+
 import { nothing, svg } from "lit";
+import { visible } from "../../problem/unseen.js";
 import { type Place, placeOf } from "../../view/goal-place.js";
 import { starPath } from "../../view/icons.js";
+import { named } from "../../view/names.js";
 import type { BoardName } from "../board-input.js";
 import type { GoalView } from "../goal-attributes.js";
 import { goalInWords, marks } from "../goal-marks.js";
@@ -21,11 +24,11 @@ export function goalMarks(board: BoardName, goals: readonly GoalView[], cells: r
 
 function goalMark(board: BoardName, goal: GoalView, { x, y, scale }: Place) {
   const look = board === "actor" ? "plain" : goal.alive[board] ? "alive" : "dead";
-  const label = shortened(goal.name);
+  const label = shortened(visible(goal.name));
   return svg`<g class="goal ${look}" transform=${`translate(${x} ${y})${scale === 1 ? "" : ` scale(${scale})`}`}
       data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
       data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
-    <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
+    <title>${named(goal.name)}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
     <rect class="badge" x="-0.35" y="-0.27" width="0.7" height="0.54" rx="0.16"></rect>
     ${look === "dead" ? svg`<line class="strike" x1="-0.33" y1="0.27" x2="0.33" y2="-0.27"></line>` : nothing}
     <text class="label ${label.length > 2 ? "long" : ""}" y="0.115">${label}</text>

@@ -1,6 +1,9 @@
 // The candidate goals on the agent's board, where they can be drawn: small pictures with the marks of the grid's goals.
+
 import { html, nothing, type TemplateResult } from "lit";
+import { visible } from "../../problem/unseen.js";
 import { star } from "../../view/icons.js";
+import { named } from "../../view/names.js";
 import type { BoardInput } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
 import { goalInWords, marks } from "../goal-marks.js";
@@ -17,9 +20,9 @@ export function goalCards({ scene, shown }: BoardInput, kind: StateKind): Templa
       (goal, index) =>
         html`<li class="goal-card" data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
         data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}
-        title="${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}">
+        title="${named(goal.name)}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}">
         ${drawn(index)}
-        <span class="name">${goal.name}</span>
+        <span class="name">${visible(goal.name)}</span>
         <svg class="marks" viewBox="-0.45 0.1 0.9 0.38" aria-hidden="true">${marks(goal, 0.22)}</svg>
         ${goal.isTrue ? star : nothing}
         <span class="unseen">${goalInWords(goal)}</span>

@@ -1,6 +1,8 @@
 // A large belief in words: what may hold, in how many of its states, and in how many each goal that is still possible.
+
 import { html, nothing, type TemplateResult } from "lit";
 import type { BeliefSummary, Scene, Share } from "../../core.js";
+import { visible } from "../../problem/unseen.js";
 import { counted, wholeNumber } from "../../view/numbers.js";
 import type { StateKind } from "./kind.js";
 
@@ -40,6 +42,6 @@ function goals(scene: Scene, belief: BeliefSummary): TemplateResult | typeof not
   if (alive.length === 0) return html`<p class="held">No goal holds in any of them.</p>`;
   return html`<p class="held">${alive.map(
     ({ name, states }, index) =>
-      html`${index === 0 ? "" : ", "}<span class="name">${name}</span> holds in <b>${wholeNumber(states)}</b>`,
+      html`${index === 0 ? "" : ", "}<span class="name">${visible(name)}</span> holds in <b>${wholeNumber(states)}</b>`,
   )}.</p>`;
 }

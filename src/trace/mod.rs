@@ -4,6 +4,12 @@
 //! definitions of Section 2 of the paper and shares nothing with the solvers' interned spaces but
 //! the task and the sensors themselves.
 
+mod elimination;
+mod reachable_goals;
+
+pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
+pub use reachable_goals::ReachableGoals;
+
 use rustc_hash::FxHashSet;
 use thiserror::Error;
 
