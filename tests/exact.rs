@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use mo_copp::solver::{Options, Outcome, Solver, Status};
+use mo_copp::solver::{Options, Outcome, Solver, Status, UpperBound, upper_bounds};
 
 use crate::common::random::{self, MEDIUM, PAIR, Size};
 use crate::common::table::{Table, Watcher, set};
@@ -61,6 +61,21 @@ pub fn equals_enumeration(judge: &Judge, horizon: usize, wish: &Wish) {
     assert_eq!(reported(judge, &outcome, wish), pairs(judge, &lengths, wish));
 }
 
+/// No upper bound is below the best of all plans, and none says that there is no plan where there is
+/// one.
+pub fn bounds_hold(judge: &Judge, options: &Options, best: Option<i64>) {
+    let most = judge.table.goals.len() as f64 - 1.0;
+    for (name, bound) in upper_bounds(&judge.problem, options).unwrap() {
+        match (bound, best) {
+            (UpperBound::AtMost(bound), Some(best)) => {
+                assert!(bound >= best as f64 / most - 1e-9, "{name}: {bound} below {best}");
+            }
+            (UpperBound::Infeasible, best) => assert_eq!(best, None, "{name}"),
+            (UpperBound::AtMost(_), None) | (UpperBound::Unaffordable, _) => {}
+        }
+    }
+}
+
 /// Exact search over all lengths: the best difference, a shortest plan for it, the pairs and a
 /// shortest plan for each.
 pub fn equals_closure(judge: &Judge, wish: &Wish) {
@@ -68,6 +83,7 @@ pub fn equals_closure(judge: &Judge, wish: &Wish) {
     let expected = pairs(judge, endings, wish);
     let best = oracle::best(&judge.table, endings.keys(), wish);
     let mut options = Judge::options(Solver::Exact, None, wish);
+    bounds_hold(judge, &options, best);
     for pareto in [false, true] {
         options.pareto = pareto;
         let outcome = judge.solve(&options);
@@ -91,6 +107,30 @@ fn at_a_horizon_equals_the_enumeration_of_all_plans() {
         let wish =
             if number % 3 == 0 { Wish::default() } else { random::wish(&mut dice, &judge.table) };
         equals_enumeration(&judge, horizon, &wish);
+    }
+}
+
+/// So that a bound that says nothing does not pass for one that holds.
+#[test]
+fn every_bound_is_tight_on_some_problems_and_the_better_ones_more_often() {
+    let mut dice = Dice::new(13);
+    let mut tight = BTreeMap::new();
+    for _ in 0..3000 {
+        let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
+        let options = Judge::options(Solver::Exact, None, &Wish::default());
+        let best = oracle::best(&judge.table, judge.endings().keys(), &Wish::default());
+        bounds_hold(&judge, &options, best);
+        let most = judge.table.goals.len() as f64 - 1.0;
+        let expected =
+            best.map_or(UpperBound::Infeasible, |best| UpperBound::AtMost(best as f64 / most));
+        for (name, bound) in upper_bounds(&judge.problem, &options).unwrap() {
+            *tight.entry(name).or_insert(0) += usize::from(bound == expected);
+        }
+    }
+    println!("{tight:?}");
+    assert!(tight["trivial"] > 100, "{tight:?}");
+    for name in ["linear invariants", "observable classes", "pairs of states"] {
+        assert!(tight[name] > tight["trivial"], "{name}: {tight:?}");
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! | solver | answers | plan |
 //! |---|---|---|
-//! | [`exact`] | the best goal difference at a horizon, at each up to a longest one, or over all, and every reachable pair of survivor counts | proved best |
+//! | exact: [`optimiser`], [`exact`] | the best goal difference at a horizon, at each up to a longest one, or over all, and every reachable pair of survivor counts | proved best |
 //! | [`ip`] | the best goal difference at a horizon, by integer programming in two encodings | proved best |
 //! | [`best_first`]: search | a plan that keeps the bounds k and j | the first found |
 //! | baseline | a plan for the true goal alone | the first found |
@@ -14,6 +14,11 @@
 
 pub mod best_first;
 mod classical;
+// What the tests outside of the crate share, once for all tests inside.
+#[cfg(test)]
+#[path = "../../tests/common/mod.rs"]
+#[allow(dead_code, unused_imports, unreachable_pub, missing_docs, missing_debug_implementations)]
+mod common;
 mod engine;
 pub mod exact;
 pub(in crate::solver) mod ground;

@@ -86,6 +86,28 @@ impl GoalDistances {
         }
     }
 
+    /// The true distances, where every state that can be met has been listed: from each goal, the
+    /// distance of each state.
+    pub(in crate::solver) fn listed(problem: &Problem, distances: &[Vec<u32>]) -> Self {
+        let states = distances.first().map_or(0, Vec::len);
+        let mut rows = Vec::with_capacity(states * distances.len());
+        for state in 0..states {
+            rows.extend(distances.iter().map(|goal| match goal[state] {
+                u32::MAX => NEVER,
+                steps => steps.min(FARTHEST) as u8,
+            }));
+        }
+        Self {
+            combine: Combine::Max,
+            tables: Vec::new(),
+            goals: vec![Vec::new(); problem.goals().len()],
+            room: rows.len(),
+            states: rows,
+            beliefs: vec![Vec::new(); problem.observers().len() + 1],
+            known: vec![Vec::new(); problem.observers().len() + 1],
+        }
+    }
+
     /// Bytes in use, counted by contents.
     pub(in crate::solver) fn bytes(&self) -> u64 {
         let rows: usize = self.beliefs.iter().map(Vec::len).sum();

@@ -3,8 +3,10 @@
 //! No estimate says more than the truth, so a node whose estimate is more than the actions left, or
 //! [`NEVER`], can be left out, and A* over them finds a shortest plan.
 
+use super::bounds::listing::Listing;
 use super::bounds::pairs::Pairs;
 use super::space::{Actor, Node, Space};
+use super::thresholds::STATES_OF_DISTANCES;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Role};
 use crate::solver::ground::endings::Endings;
@@ -41,6 +43,17 @@ impl Estimates {
         };
         let distances = GoalDistances::new(joint.problem(), Combine::Max, memory);
         Ok(Self { distances, endings, most, nearest: Vec::new(), pairs: None })
+    }
+
+    /// Lists all states for their true distances; false where that would take too much.
+    pub(super) fn list(&mut self, space: &mut Space) -> Result<bool, LimitReached> {
+        let goals = space.problem().goals().len();
+        let most = STATES_OF_DISTANCES / goals;
+        let Some(listing) = Listing::new(&mut space.joint, most)? else { return Ok(false) };
+        let distances: Vec<Vec<u32>> =
+            listing.by_goal.iter().map(|goal| listing.distances(&space.joint, goal)).collect();
+        self.distances = GoalDistances::listed(space.problem(), &distances);
+        Ok(true)
     }
 
     /// Whether the states from which a plan of the horizon can end are known.

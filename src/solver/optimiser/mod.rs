@@ -10,7 +10,7 @@
 //! - [`dominance`] leaves out nodes that another one is at least as good as, where that is sound,
 //! - [`estimates`] say how long a plan through a node must still be,
 //! - [`bounds`] are the upper bounds on all plans,
-//! - [`thresholds`] are all in one place.
+//! - [`schedule`] is what is tried when, by [`thresholds`] that all stand in one place.
 //!
 //! Over all lengths a plan found so need not be short. A second search, by length, then looks for a
 //! shortest plan of the value that is proved.
@@ -20,8 +20,11 @@ mod dominance;
 mod estimates;
 mod order;
 mod queue;
+mod schedule;
 mod search;
 mod space;
+#[cfg(test)]
+mod tests;
 mod thresholds;
 
 use std::sync::Arc;
@@ -32,18 +35,13 @@ use crate::problem::{JointSpace, Problem, SurvivorCounts};
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::solver::{Bounds, Options};
-use bounds::classes::Classes;
-use bounds::invariants::Invariants;
+use bounds::Most;
 use bounds::pairs::Pairs;
-use bounds::{Bound, Most};
 use estimates::Estimates;
+use schedule::{Question, Schedule, Stage};
 use search::{Order, Search, Step, Way};
 use space::{Actor, Space};
-use thresholds::{
-    EXPANSIONS_BEFORE_ALL_CLASSES, EXPANSIONS_BEFORE_CLASSES, EXPANSIONS_BEFORE_INVARIANTS,
-    EXPANSIONS_BEFORE_PAIRS, EXPANSIONS_BEFORE_PAIRS_SHORTEN, EXPANSIONS_BETWEEN_CHECKS,
-    STATES_OF_A_SMALL_SPACE, STATES_OF_CLASSES, WORK_TO_SHORTEN,
-};
+use thresholds::{EXPANSIONS_BETWEEN_CHECKS, WORK_TO_SHORTEN};
 
 /// The engine for the best plan.
 pub(in crate::solver) struct Optimiser {
@@ -56,6 +54,7 @@ pub(in crate::solver) struct Optimiser {
     best: Option<(SurvivorCounts, Plan)>,
     /// Whether the best plan is known to be a shortest one of its value.
     length_proved: bool,
+    schedule: Schedule,
     /// How many of the questions have been asked.
     asked: usize,
     expansions: u64,
@@ -73,46 +72,6 @@ struct Work {
     /// Whether tables over pairs of states have been tried.
     tried_pairs: bool,
 }
-
-#[derive(Debug)]
-enum Stage {
-    /// Looks for good plans in the order of promise.
-    Find(Search),
-    /// Looks for a plan that is worth more than the best one, with tables over pairs of states: first
-    /// with each observer alone, by position, which mostly shows that there is none; then with all.
-    Prove(Search, Option<usize>),
-    /// Looks for a shortest plan of the best value.
-    Shorten(Search),
-}
-
-impl Stage {
-    fn search(&self) -> &Search {
-        match self {
-            Self::Find(search) | Self::Prove(search, _) | Self::Shorten(search) => search,
-        }
-    }
-}
-
-/// What is asked while the first search is at work, after so many expansions.
-#[derive(Debug, Clone, Copy)]
-enum Question {
-    Bound(fn() -> Box<dyn Bound>),
-    Pairs,
-}
-
-/// In the order of their expansions.
-const QUESTIONS: [(u64, Question); 4] = [
-    (
-        EXPANSIONS_BEFORE_CLASSES,
-        Question::Bound(|| Box::new(Classes { most_states: STATES_OF_A_SMALL_SPACE })),
-    ),
-    (EXPANSIONS_BEFORE_PAIRS, Question::Pairs),
-    (EXPANSIONS_BEFORE_INVARIANTS, Question::Bound(|| Box::new(Invariants))),
-    (
-        EXPANSIONS_BEFORE_ALL_CLASSES,
-        Question::Bound(|| Box::new(Classes { most_states: STATES_OF_CLASSES })),
-    ),
-];
 
 /// Shown without its insides, which would weigh heavily in the wasm file.
 impl std::fmt::Debug for Optimiser {
@@ -136,6 +95,7 @@ impl Optimiser {
             bound,
             best: None,
             length_proved: false,
+            schedule: Schedule::default(),
             asked: 0,
             expansions: 0,
             generated: 0,
@@ -154,7 +114,7 @@ impl Optimiser {
             actor,
             order: Order::Promise,
             horizon: self.horizon.map(|horizon| horizon as u32),
-            dominance: true,
+            dominance: self.schedule.dominance,
             shorter_than: u32::MAX,
             alone: None,
         };
@@ -208,8 +168,10 @@ impl Optimiser {
 
     /// Asks the next question where it is due; true when one was asked.
     fn ask(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
-        let Some((after, question)) = QUESTIONS.get(self.asked) else { return Ok(false) };
-        if !matches!(work.stage, Stage::Find(_)) || self.expansions < *after {
+        let Some(&(after, question)) = self.schedule.questions.get(self.asked) else {
+            return Ok(false);
+        };
+        if !matches!(work.stage, Stage::Find(_)) || self.expansions < after {
             return Ok(false);
         }
         self.asked += 1;
@@ -253,7 +215,7 @@ impl Optimiser {
             actor: Actor::State,
             order,
             horizon: self.horizon.map(|horizon| horizon as u32),
-            dominance: true,
+            dominance: self.schedule.dominance,
             shorter_than: u32::MAX,
             alone,
         };
@@ -320,7 +282,7 @@ impl Optimiser {
             actor,
             order: Order::Length,
             horizon: None,
-            dominance: true,
+            dominance: self.schedule.dominance,
             shorter_than: plan.len() as u32,
             alone: None,
         };
@@ -332,8 +294,10 @@ impl Optimiser {
     /// Changes the means of a long search for a shortest plan, or ends it.
     fn go_on_shortening(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
         let expansions = self.expansions - work.begun.0;
-        if !work.tried_pairs && expansions >= EXPANSIONS_BEFORE_PAIRS_SHORTEN {
-            return Ok(self.make_pairs(work)? && self.shorten(work));
+        if !work.tried_pairs && expansions >= self.schedule.pairs_to_shorten {
+            // The estimates are better from now on, so it begins again.
+            let better = self.make_pairs(work)? || work.estimates.list(&mut work.space)?;
+            return Ok(better && self.shorten(work));
         }
         Ok(expansions + work.space.touched - work.begun.1 > WORK_TO_SHORTEN)
     }

@@ -5,7 +5,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::dominance::{Antichain, Steps, relations};
+use super::dominance::{Antichain, Policy, Steps};
 use super::estimates::Estimates;
 use super::order;
 use super::queue::{BucketQueue, Ties};
@@ -49,7 +49,7 @@ pub(super) struct Way {
     pub order: Order,
     pub horizon: Option<u32>,
     /// Whether dominated nodes are left out.
-    pub dominance: bool,
+    pub dominance: Policy,
     /// Plans must be shorter than this.
     pub shorter_than: u32,
     /// The one observer that is looked at, all others taken to end as well as can be: a relaxation.
@@ -92,8 +92,7 @@ impl Search {
             (None, Order::Length) => Steps::NoMore,
             (None, _) => Steps::Any,
         };
-        let antichain =
-            way.dominance.then(|| Antichain::new(relations(space.problem(), &space.bounds), steps));
+        let antichain = Antichain::new(way.dominance, space.problem(), &space.bounds, steps);
         Self {
             way,
             aim,

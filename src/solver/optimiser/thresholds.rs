@@ -25,11 +25,14 @@ pub(super) const BYTES_OF_PAIRS: u64 = 96 << 20;
 /// Words of bit matrices gone through for a level of a table, at most: some milliseconds.
 pub(super) const WORDS_OF_A_LEVEL: u64 = 6_000_000;
 
+/// States times goals listed for true distances in the search for a shortest plan, at most: some
+/// hundredths of a second.
+pub(super) const STATES_OF_DISTANCES: usize = 300_000;
 /// Expansions of the search for a shortest plan before tables of pairs are made for it.
 pub(super) const EXPANSIONS_BEFORE_PAIRS_SHORTEN: u64 = 256;
-/// Believed states gone through and nodes expanded in the search for a shortest plan, at most: a few
-/// tenths of a second. Above, the length of the plan stays unproved, and the outcome says so.
-pub(super) const WORK_TO_SHORTEN: u64 = 3_000_000;
+/// Believed states gone through and nodes expanded in the search for a shortest plan, at most: about
+/// a tenth of a second. Above, the length of the plan stays unproved, and the outcome says so.
+pub(super) const WORK_TO_SHORTEN: u64 = 400_000;
 
 /// Nodes compared with a new one for dominance, the latest first, at most. What is not compared is
 /// kept: more nodes than need be, never fewer.
@@ -44,5 +47,7 @@ pub(super) const WORK_OF_ELIMINATION: u64 = 20_000_000;
 pub(super) const FACTS_OF_INVARIANTS: usize = 2_000;
 pub(super) const OPERATORS_OF_INVARIANTS: usize = 20_000;
 pub(super) const BELIEVED_OF_INVARIANTS: usize = 2_000;
+/// Combinations of values that an observer always knows, at most.
+pub(super) const CONTEXTS_OF_INVARIANTS: usize = 256;
 /// Different sums of one kind, at most.
 pub(super) const SUMS_OF_INVARIANTS: usize = 30_000;

@@ -2,12 +2,8 @@
 
 use super::*;
 use crate::solver::Solver;
-use common::random::{self, MEDIUM, PAIR};
-use common::{Dice, Judge, Wish};
-
-#[path = "../../../../tests/common/mod.rs"]
-#[allow(dead_code, unused_imports, unreachable_pub, missing_docs, missing_debug_implementations)]
-mod common;
+use crate::solver::common::random::{self, MEDIUM, PAIR};
+use crate::solver::common::{Dice, Judge, Wish};
 
 /// What prospects say.
 enum Said {
@@ -37,7 +33,7 @@ fn agrees(judge: &Judge, wish: &Wish) -> bool {
         return false;
     };
     let table = &judge.table;
-    let difference = |ending: &common::oracle::Ending| {
+    let difference = |ending: &crate::solver::common::oracle::Ending| {
         let (adversarial, cooperative) = table.counts(ending);
         adversarial as i64 - cooperative as i64
     };
@@ -71,8 +67,11 @@ fn the_best_plan_is_a_shortest_one_of_all_there_are() {
 fn small_gridworlds_agree_with_going_through_all_there_is() {
     let mut dice = Dice::new(78);
     for _ in 0..150 {
-        let grid = common::gridworld::random(&mut dice, 4);
-        let judge = Judge::of(common::gridworld::table(&grid), Arc::new(grid.problem().unwrap()));
+        let grid = crate::solver::common::gridworld::random(&mut dice, 4);
+        let judge = Judge::of(
+            crate::solver::common::gridworld::table(&grid),
+            Arc::new(grid.problem().unwrap()),
+        );
         let wish = random::wish(&mut dice, &judge.table);
         agrees(&judge, &wish);
         agrees(&judge, &Wish::default());

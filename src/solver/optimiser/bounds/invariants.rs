@@ -6,6 +6,9 @@
 //! one belief. Such weights are the solutions of linear equations, one for each operator, found by
 //! Gaussian elimination. Where the amount is 0 for every operator, the sum never changes at all.
 //!
+//! Where the observer always knows the value of some group, such as the place of the only airplane,
+//! only the operators that may apply at that value are compared.
+//!
 //! Any field does. Over a large prime field one solution at random tells apart nearly all that the
 //! solutions together do; over GF(2) 64 of them do, and parities are found that way. What they
 //! confuse makes the bound higher, never wrong.
@@ -20,13 +23,13 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::{Bound, Most};
 use crate::limits::LimitReached;
 use crate::problem::{Problem, Role};
-use crate::sensor::Sensor;
+use crate::sensor::{Sensor, Symbol};
 use crate::solver::Watched;
 use crate::solver::ground::transition_graphs::{Change, TransitionGraphs, changes, value_count};
 use crate::solver::optimiser::space::Space;
 use crate::solver::optimiser::thresholds::{
-    BELIEVED_OF_INVARIANTS, FACTS_OF_INVARIANTS, OPERATORS_OF_INVARIANTS, SUMS_OF_INVARIANTS,
-    WORK_OF_ELIMINATION,
+    BELIEVED_OF_INVARIANTS, CONTEXTS_OF_INVARIANTS, FACTS_OF_INVARIANTS, OPERATORS_OF_INVARIANTS,
+    SUMS_OF_INVARIANTS, WORK_OF_ELIMINATION,
 };
 use crate::task::{Fact, OperatorId, State, Task};
 
@@ -97,6 +100,9 @@ fn combine(parts: &[(&Vector, i32)]) -> Vector {
 
 /// What an operator changes: one vector it may come to, and differences from it to all others.
 struct Effect {
+    changes: Vec<Change>,
+    /// Values that it asks of groups.
+    asks: Vec<(usize, usize)>,
     base: Vector,
     differences: Vec<Vector>,
 }
@@ -236,7 +242,9 @@ impl<'a> Facts<'a> {
                     return None;
                 }
             }
-            let effect = facts.effect(&changes);
+            let asks = operator.preconditions.iter();
+            let asks = asks.map(|fact| (layout.group(*fact), layout.value(*fact))).collect();
+            let effect = facts.effect(changes, asks);
             facts.effects.push(effect);
         }
         Some(facts)
@@ -254,9 +262,10 @@ impl<'a> Facts<'a> {
         combine(&[(&lost.into_iter().collect(), 1), (&gained.into_iter().collect(), 1)])
     }
 
-    fn effect(&self, changes: &[Change]) -> Effect {
-        let mut effect = Effect { base: Vec::new(), differences: Vec::new() };
-        for change in changes {
+    fn effect(&self, changes: Vec<Change>, asks: Vec<(usize, usize)>) -> Effect {
+        let (base, differences) = (Vec::new(), Vec::new());
+        let mut effect = Effect { changes: Vec::new(), asks, base, differences };
+        for change in &changes {
             match change.from {
                 Some(from) if change.optional => {
                     effect.differences.push(self.step(change.group, from, change.to));
@@ -276,6 +285,7 @@ impl<'a> Facts<'a> {
                 }
             }
         }
+        effect.changes = changes;
         effect
     }
 
@@ -289,15 +299,87 @@ impl<'a> Facts<'a> {
         Weights::orthogonal_to(&vectors, self.task.fact_count())
     }
 
-    /// Weights whose sum an observer always knows.
+    /// The groups whose values an observer always knows, since it knows them at first and each symbol
+    /// determines the next value from the present one; in every combination of values.
+    fn contexts(&self, symbols: &[Vec<usize>], believed: &[Vec<Fact>]) -> Vec<Vec<(usize, usize)>> {
+        let layout = self.task.layout();
+        let begins = |group: usize| {
+            let value = |state: &Vec<Fact>| {
+                let fact = state.iter().find(|fact| layout.group(**fact) == group);
+                fact.map_or(0, |fact| layout.value(*fact))
+            };
+            let mut values = believed.iter().map(value);
+            let first = values.next();
+            values.all(|value| Some(value) == first)
+        };
+        let mut contexts: Vec<Vec<(usize, usize)>> = vec![Vec::new()];
+        for (group, values) in self.values.iter().enumerate() {
+            // A group that no operator asks for makes no difference to which of them apply.
+            let asked = self.effects.iter().any(|e| e.asks.iter().any(|ask| ask.0 == group));
+            if values.len() * contexts.len() > CONTEXTS_OF_INVARIANTS
+                || !asked
+                || !begins(group)
+                || !values.iter().all(|value| self.is_determined(group, *value, symbols))
+            {
+                continue;
+            }
+            let with = |context: &Vec<(usize, usize)>| {
+                let context = context.clone();
+                values.iter().map(move |value| [context.clone(), vec![(group, *value)]].concat())
+            };
+            contexts = contexts.iter().flat_map(with).collect();
+        }
+        contexts
+    }
+
+    /// Whether each symbol determines the next value of a group from one value.
+    fn is_determined(&self, group: usize, value: usize, symbols: &[Vec<usize>]) -> bool {
+        let mut next: FxHashMap<usize, usize> = FxHashMap::default();
+        for (effect, symbols) in self.effects.iter().zip(symbols) {
+            if effect.asks.iter().any(|ask| ask.0 == group && ask.1 != value) {
+                continue;
+            }
+            let mut to = value;
+            for change in effect.changes.iter().filter(|change| change.group == group) {
+                match change.from {
+                    // What a fact that is deleted unasked leaves may be one thing or the other.
+                    Some(from) if change.optional && from == value => return false,
+                    Some(from) if from != value => {}
+                    _ => to = change.to,
+                }
+            }
+            for symbol in symbols {
+                if *next.entry(*symbol).or_insert(to) != to {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// Weights whose sum an observer always knows: in each combination of values that it knows, all
+    /// operators that may apply and give one symbol change the sum alike.
     fn known_by(&self, sensor: &Sensor, believed: &[Vec<Fact>]) -> Option<Weights> {
         let mut vectors = FxHashSet::default();
-        let mut first: FxHashMap<usize, &Vector> = FxHashMap::default();
-        for (number, effect) in self.effects.iter().enumerate() {
+        let symbols: Vec<Vec<usize>> = (0..self.effects.len())
+            .map(|number| sensor.symbols_of(OperatorId::new(number)).map(Symbol::index).collect())
+            .collect();
+        for effect in &self.effects {
             vectors.extend(effect.differences.iter().cloned());
-            for symbol in sensor.symbols_of(OperatorId::new(number)) {
-                let known = first.entry(symbol.index()).or_insert(&effect.base);
-                vectors.insert(combine(&[(known, 1), (&effect.base, -1)]));
+        }
+        for context in self.contexts(&symbols, believed) {
+            let mut first: FxHashMap<usize, &Vector> = FxHashMap::default();
+            for (effect, symbols) in self.effects.iter().zip(&symbols) {
+                let conflicts = |known: &(usize, usize)| {
+                    effect.asks.iter().any(|ask| ask.0 == known.0 && ask.1 != known.1)
+                };
+                if context.iter().any(conflicts) {
+                    continue;
+                }
+                for symbol in symbols {
+                    let known = first.entry(*symbol).or_insert(&effect.base);
+                    vectors.insert(combine(&[(known, 1), (&effect.base, -1)]));
+                }
             }
         }
         let as_vector =
