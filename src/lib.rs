@@ -24,6 +24,8 @@ pub mod heuristic;
 pub mod limits;
 #[cfg(feature = "full")]
 pub mod pddl;
+#[cfg(feature = "full")]
+pub mod picture;
 pub mod plan;
 pub mod problem;
 pub mod report;

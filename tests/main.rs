@@ -21,6 +21,7 @@ mod observers;
 mod overview;
 mod pddl;
 mod pddl_domains;
+mod pictures;
 mod regressions;
 mod remedy;
 mod search;

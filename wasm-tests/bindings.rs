@@ -263,3 +263,18 @@ fn bad_pddl_throws_its_line_and_column() {
     assert_eq!(get(&error, "line").as_f64(), Some(22.0));
     assert_eq!(get(&error, "column").as_f64(), Some(9.0));
 }
+
+/// The text that the command writes: `tests/pictures.rs` holds the native one against the same file.
+#[wasm_bindgen_test]
+fn a_picture_is_the_same_text_as_natively() {
+    let problem = Problem::new(include_str!("../www/problems/eight-by-eight.json")).unwrap();
+    let plan = || ["north", "north", "east"].map(str::to_owned).to_vec();
+    let options = |text: &str| JSON::parse(text).unwrap().unchecked_into();
+    let svg = problem.picture(plan(), options(r#"{"step": 2}"#)).unwrap();
+    assert_eq!(svg, include_str!("../tests/golden/picture.svg"));
+    let error = problem.picture(plan(), options(r#"{"step": 4}"#)).unwrap_err();
+    assert_eq!(text(&error, "name"), "OptionsError");
+    assert_eq!(text(&error, "message"), "step: found 4, expected a whole number from 0 to 3");
+    let error = problem.picture(vec!["west".to_owned()], options("{}")).unwrap_err();
+    assert_eq!(text(&error, "name"), "PlanError");
+}

@@ -3,6 +3,8 @@
 use wasm_bindgen::JsValue;
 
 use crate::document::{DocumentError, Place};
+#[cfg(feature = "full")]
+use crate::picture::PictureError;
 use crate::plan::PlanError;
 use crate::solver::SolveError;
 
@@ -24,6 +26,15 @@ pub(super) fn plan(error: &PlanError) -> JsValue {
 /// An `OptionsError`.
 pub(super) fn options(error: &dyn std::error::Error) -> JsValue {
     thrown("OptionsError", &error.to_string())
+}
+
+/// A `PlanError` where the plan cannot be drawn, else an `OptionsError`.
+#[cfg(feature = "full")]
+pub(super) fn picture(error: &PictureError) -> JsValue {
+    match error {
+        PictureError::Plan(error) => plan(error),
+        error => options(error),
+    }
 }
 
 /// A `SolveError`; an `OptionsError` where the options do not fit, and [`NEEDS_FULL_CORE`].

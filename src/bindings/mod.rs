@@ -18,6 +18,8 @@ use wasm_bindgen::prelude::*;
 
 use crate::domain::Document;
 use crate::limits::MAX_TEXT_BYTES;
+#[cfg(feature = "full")]
+use crate::picture::{draw, read_picture_options};
 use crate::plan::{Plan, next_actions};
 use crate::problem;
 use crate::report::{
@@ -28,6 +30,8 @@ use crate::solver;
 use crate::solver::remedy;
 use crate::trace::{elimination, trace};
 use error::thrown;
+#[cfg(feature = "full")]
+use types::PictureOptionsJs;
 use types::{
     AdviceJs, EliminationJs, NextActionsJs, OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs,
 };
@@ -126,6 +130,17 @@ impl Problem {
         let found = elimination(&self.problem, &plan, watching, wanted, step);
         let found = found.map_err(|e| error::plan(&e))?;
         to_js(&found.map(|found| EliminationReport::new(&self.problem, &found)))
+    }
+
+    /// Draws the boards of a step of a plan, or of all its steps, as SVG. Throws a `PlanError` that names the step, and an
+    /// `OptionsError` where the options do not fit.
+    #[cfg(feature = "full")]
+    pub fn picture(&self, plan: Vec<String>, options: PictureOptionsJs) -> Result<String, JsValue> {
+        let plan = self.plan(&plan)?;
+        let text = js_sys::JSON::stringify(&options).map(String::from)?;
+        let options = read_picture_options(&text, &self.problem, plan.len());
+        let options = options.map_err(|e| error::options(&e))?;
+        draw(&self.document, &self.problem, &plan, &options).map_err(|e| error::picture(&e))
     }
 
     /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.

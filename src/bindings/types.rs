@@ -170,6 +170,19 @@ export interface Progress {
   plan: string[] | null;
 }
 
+/** What a picture shows; with nothing said all boards of the last step of the plan, light, with captions. */
+export interface PictureOptions {
+  /** From 0, the start. */
+  step?: number;
+  /** All steps, one after another, without end, each shown for so many `milliseconds` (100 to 60,000; else 1000). */
+  animate?: boolean;
+  milliseconds?: number;
+  board?: "all" | "actor" | Role;
+  /** Whether headings, goals and the line about the step are there. */
+  captions?: boolean;
+  theme?: "light" | "dark";
+}
+
 interface SceneBase {
   goals: { name: string; cell?: Cell; condition?: string; facts?: string[] }[];
   true_goal: string;
@@ -218,6 +231,10 @@ extern "C" {
     /// Options of a solver.
     #[wasm_bindgen(typescript_type = "SolveOptions")]
     pub type SolveOptionsJs;
+    /// Options of a picture.
+    #[cfg(feature = "full")]
+    #[wasm_bindgen(typescript_type = "PictureOptions")]
+    pub type PictureOptionsJs;
     /// The answer of a solver.
     #[wasm_bindgen(typescript_type = "Outcome")]
     pub type OutcomeJs;

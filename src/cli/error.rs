@@ -5,6 +5,7 @@ use mo_copp::domain::generate::GenerateError;
 use mo_copp::experiment::ExperimentError;
 use mo_copp::limits::LimitReached;
 use mo_copp::pddl::PddlError;
+use mo_copp::picture::PictureError;
 use mo_copp::plan::PlanError;
 use mo_copp::solver::{OptionsError, SolveError};
 use thiserror::Error;
@@ -20,6 +21,17 @@ pub enum CliError {
         /// Why.
         reason: String,
     },
+    /// A file that cannot be written.
+    #[error("{file}: cannot be written: {reason}")]
+    Write {
+        /// Its name.
+        file: String,
+        /// Why.
+        reason: String,
+    },
+    /// A picture that cannot be drawn.
+    #[error("{0}")]
+    Picture(PictureError),
     /// A document that is wrong.
     #[error("{file}: {error}")]
     Document {
@@ -66,4 +78,13 @@ pub enum CliError {
     /// The output cannot be written.
     #[error("cannot write the output: {0}")]
     Output(std::io::Error),
+}
+
+impl From<PictureError> for CliError {
+    fn from(error: PictureError) -> Self {
+        match error {
+            PictureError::Plan(error) => Self::Plan(error),
+            error => Self::Picture(error),
+        }
+    }
 }

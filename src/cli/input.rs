@@ -59,6 +59,11 @@ pub fn texts(one: &Path, other: &Path) -> Result<(String, String), CliError> {
 
 /// The problem of a document.
 pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
+    Ok(document(path)?.1)
+}
+
+/// A document and its problem.
+pub fn document(path: &Path) -> Result<(Document, Arc<Problem>), CliError> {
     let text = text(path)?;
     let wrong = |error: DocumentError| {
         let place = error.place(&text);
@@ -73,7 +78,8 @@ pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
         }
     };
     let document = Document::parse(&text).map_err(wrong)?;
-    Ok(Arc::new(document.problem().map_err(wrong)?))
+    let problem = Arc::new(document.problem().map_err(wrong)?);
+    Ok((document, problem))
 }
 
 /// The bounds meant.

@@ -10,7 +10,9 @@ mod experiment;
 mod generate;
 mod input;
 mod interrupt;
+mod picture;
 mod plan;
+mod plan_text;
 mod progress;
 mod remedy;
 mod solve;
@@ -41,6 +43,7 @@ pub fn main() -> ExitCode {
         Command::Solve(args) => solve::run(&args),
         Command::Trace(args) => unless_stopped(move || trace::run(&args)),
         Command::Encode(args) => unless_stopped(move || encode::run(&args)),
+        Command::Picture(args) => unless_stopped(move || picture::run(&args)),
         Command::Plan(args) => plan::run(&args),
         Command::Generate(args) => unless_stopped(move || generate::run(&args)),
         Command::Experiment(args) => experiment::run_command(&args),

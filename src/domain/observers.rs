@@ -30,6 +30,14 @@ impl<T> Observers<T> {
         })
     }
 
+    /// The value of this role.
+    pub fn of(&self, role: Role) -> &T {
+        match role {
+            Role::Adversarial => &self.adversarial,
+            Role::Cooperative => &self.cooperative,
+        }
+    }
+
     /// Role and value, the enemy first.
     pub fn iter(&self) -> impl Iterator<Item = (Role, &T)> {
         [(Role::Adversarial, &self.adversarial), (Role::Cooperative, &self.cooperative)].into_iter()

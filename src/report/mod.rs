@@ -32,6 +32,11 @@ impl<T> ByObserver<T> {
         let names = problem.observers().iter().map(|observer| observer.name.clone());
         Self(names.zip((0..).map(of)).collect())
     }
+
+    /// What belongs to the observer at this place in the problem.
+    pub fn get(&self, observer: usize) -> Option<&T> {
+        self.0.get(observer).map(|(_, value)| value)
+    }
 }
 
 impl<T: Serialize> Serialize for ByObserver<T> {

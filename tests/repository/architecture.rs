@@ -40,11 +40,18 @@ const MODULES: Table = &[
         "report",
         &["document", "domain", "goal_difference", "plan", "problem", "solver", "task", "trace"],
     ),
+    ("picture", &["document", "domain", "plan", "problem", "report"]),
     (
         "experiment",
         &["document", "domain", "goal_difference", "limits", "plan", "problem", "solver"],
     ),
-    ("bindings", &["document", "domain", "limits", "plan", "problem", "report", "solver", "trace"]),
+    (
+        "bindings",
+        &[
+            "document", "domain", "limits", "picture", "plan", "problem", "report", "solver",
+            "trace",
+        ],
+    ),
     (
         "cli",
         &[
@@ -53,6 +60,7 @@ const MODULES: Table = &[
             "experiment",
             "limits",
             "pddl",
+            "picture",
             "plan",
             "problem",
             "report",

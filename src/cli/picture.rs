@@ -1,0 +1,45 @@
+//! `mo-copp picture`: draws the boards of a step, or of a whole plan, as SVG.
+
+use mo_copp::picture::{Boards, PictureOptions, draw};
+use mo_copp::problem::Problem;
+use mo_copp::solver::OptionsError;
+
+use super::args::PictureArgs;
+use super::error::CliError;
+use super::{input, plan_text, print};
+
+/// Draws and writes; the exit code.
+pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
+    let (document, problem) = input::document(&args.problem)?;
+    let plan = plan_text::plan(&problem, args.plan.as_deref(), args.plan_file.as_deref())?;
+    let mut options = if args.animate {
+        PictureOptions::animated(args.milliseconds)
+    } else {
+        PictureOptions::step(args.step.unwrap_or(plan.len()))
+    };
+    options.boards = boards(&args.board, &problem)?;
+    options.captions = !args.no_captions;
+    options.theme = args.theme;
+    let svg = draw(&document, &problem, &plan, &options)?;
+    match &args.out {
+        None => print(&svg)?,
+        Some(file) => std::fs::write(file, svg).map_err(|error| CliError::Write {
+            file: file.display().to_string(),
+            reason: error.to_string(),
+        })?,
+    }
+    Ok(0)
+}
+
+/// `all`, `actor` or the name of an observer.
+fn boards(name: &str, problem: &Problem) -> Result<Boards, CliError> {
+    match name {
+        "all" => Ok(Boards::All),
+        "actor" => Ok(Boards::Actor),
+        name => problem.observer_named(name).map(Boards::Observer).ok_or_else(|| {
+            let names: Vec<&str> = problem.observers().iter().map(|o| o.name.as_str()).collect();
+            let expected = format!("all, actor or {}", names.join(" or "));
+            OptionsError { option: "board", found: format!("{name:?}"), expected }.into()
+        }),
+    }
+}
