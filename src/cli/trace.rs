@@ -72,7 +72,7 @@ fn text(problem: &Problem, trace: &Trace) -> String {
     let end = if trace.reaches_goal { "reaches" } else { "does not reach" };
     let goal = &problem.goals()[problem.true_goal()].name;
     let actions = trace.steps.iter().filter_map(|step| step.action).collect();
-    if let Some(cost) = (Plan { actions }).cost(problem.task()) {
+    if let Some(cost) = (mo_copp::plan::Plan { actions }).cost(problem.task()) {
         let _ = writeln!(text, "cost: {cost}");
     }
     let _ = writeln!(text, "the plan {end} the true goal {goal}");
