@@ -131,7 +131,7 @@ fn main() {
     line("exact, 8x8, T = 12 or 14", "1 ms", 21, &exact);
     let any = with(&eight, &|_| options(Solver::Exact, Horizon::Any));
     line("exact, 8x8, all horizons", "5 ms", 21, &any);
-    let pairs = with(&eight, &|_| Options { pareto: true, ..options(Solver::Exact, Horizon::Any) });
+    let pairs = with(&eight, &|_| Options { pairs: true, ..options(Solver::Exact, Horizon::Any) });
     line("exact, 8x8, all horizons and pairs", "-", 21, &pairs);
     let one = at_horizon(large, 1, [96, 98]);
     let exact = with(&one, &|steps| options(Solver::Exact, Horizon::Steps(steps)));
@@ -187,7 +187,7 @@ fn experiments() {
         (1..=30).map(problem).collect::<Vec<_>>()
     };
     let bounded = |problem: &Arc<Problem>, most: usize| {
-        let mut search = options(Solver::Search, Horizon::Any);
+        let mut search = options(Solver::Satisficing, Horizon::Any);
         (search.bounds.at_least, search.bounds.at_most) = (Some(most), Some(most));
         (Arc::clone(problem), search)
     };
@@ -200,7 +200,7 @@ fn experiments() {
         }
     }
     line("belief-flow, 3 small domains", "median 0.1 s, worst 5 s", 1, &flow);
-    line("search, 3 small domains, k = j = 2", "median 50 ms", 1, &search);
+    line("satisficing, 3 small domains, k = j = 2", "median 50 ms", 1, &search);
     let boxes: Vec<_> = drawn("box-pushing")
         .into_iter()
         .map(|problem| (problem, options(Solver::Exact, Horizon::Any)))
@@ -209,7 +209,7 @@ fn experiments() {
     for name in ["blocksworld", "logistics", "driverlog"] {
         let problems = drawn(name);
         let search: Vec<_> = problems.iter().map(|problem| bounded(problem, 3)).collect();
-        line(&format!("search, {name}, k = j = 3"), "median 1 s, worst 60 s", 1, &search);
+        line(&format!("satisficing, {name}, k = j = 3"), "median 1 s, worst 60 s", 1, &search);
         if name == "blocksworld" {
             let twelve = options(Solver::Exact, Horizon::Steps(12));
             let exact: Vec<_> =

@@ -28,7 +28,7 @@ fn pairs(
 
 /// The reported pairs with the lengths of their plans, each plan replayed.
 fn reported(judge: &Judge, outcome: &Outcome, wish: &Wish) -> BTreeMap<(usize, usize), usize> {
-    let points = outcome.pareto.as_ref().unwrap();
+    let points = outcome.pairs.as_ref().unwrap();
     assert!(points.is_sorted_by(|a, b| a.counts < b.counts));
     let mut pairs = BTreeMap::new();
     for point in points {
@@ -38,6 +38,14 @@ fn reported(judge: &Judge, outcome: &Outcome, wish: &Wish) -> BTreeMap<(usize, u
         assert!(wish.allows(&judge.table, &ending));
         pairs.insert(counts, point.plan.len());
     }
+    let dominated = |&&(x, c): &&(usize, usize)| {
+        pairs
+            .keys()
+            .any(|&(other_x, other_c)| other_x >= x && other_c <= c && (other_x, other_c) != (x, c))
+    };
+    let front = outcome.front().unwrap();
+    let front = front.iter().map(|pair| (pair.counts.adversarial, pair.counts.cooperative));
+    assert!(front.eq(pairs.keys().filter(|pair| !dominated(pair)).copied()));
     pairs
 }
 
@@ -54,7 +62,7 @@ pub fn equals_enumeration(judge: &Judge, horizon: usize, wish: &Wish) {
     let mut options = Judge::options(Solver::Exact, Some(horizon), wish);
     let best = oracle::best(&judge.table, &endings, wish);
     check_best(judge, &options, &judge.solve(&options), wish, best);
-    options.pareto = true;
+    options.pairs = true;
     let outcome = judge.solve(&options);
     check_best(judge, &options, &outcome, wish, best);
     let lengths = endings.into_iter().map(|ending| (ending, horizon)).collect();
@@ -84,11 +92,11 @@ pub fn equals_closure(judge: &Judge, wish: &Wish) {
     let best = oracle::best(&judge.table, endings.keys(), wish);
     let mut options = Judge::options(Solver::Exact, None, wish);
     bounds_hold(judge, &options, best);
-    for pareto in [false, true] {
-        options.pareto = pareto;
+    for pairs_too in [false, true] {
+        options.pairs = pairs_too;
         let outcome = judge.solve(&options);
         check_best(judge, &options, &outcome, wish, best);
-        if pareto {
+        if pairs_too {
             assert_eq!(reported(judge, &outcome, wish), expected);
         }
         let with_best =

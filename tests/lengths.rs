@@ -13,6 +13,7 @@ use mo_copp::solver::{
 use crate::common::check::solve;
 use crate::common::random::{self, MEDIUM, PAIR, Size};
 use crate::common::{Dice, Judge, Wish, oracle};
+use crate::observers::COMPANIES;
 
 fn lengths(longest: usize, wish: &Wish) -> Options {
     let mut options = Judge::options(Solver::Exact, None, wish);
@@ -59,7 +60,8 @@ fn equals_the_enumeration_of_all_plans_of_each_length() {
     let mut dice = Dice::new(61);
     let (mut plans, mut none) = (0, 0);
     for number in 0..4000 {
-        let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
+        let roles = if number % 4 == 0 { COMPANIES[number / 4 % COMPANIES.len()] } else { &PAIR };
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, roles), 0);
         let longest = random::horizon(&mut dice, &judge.table, 600);
         let wish =
             if number % 3 == 0 { Wish::default() } else { random::wish(&mut dice, &judge.table) };
@@ -85,25 +87,25 @@ fn equals_exact_search_at_each_horizon() {
         let judge = Judge::new(random::table(&mut dice, size, &PAIR));
         let wish = random::wish(&mut dice, &judge.table);
         let mut options = lengths(dice.below(25), &wish);
-        options.pareto = dice.percent(50);
+        options.pairs = dice.percent(50);
         let outcome = judge.solve(&options);
         check_outcome(&judge, &options, &outcome, &wish);
         let mut pairs = Vec::new();
         for point in outcome.lengths.as_ref().unwrap() {
             let mut alone = Judge::options(Solver::Exact, Some(point.length), &wish);
-            alone.pareto = options.pareto;
+            alone.pairs = options.pairs;
             let alone = judge.solve(&alone);
             let difference =
-                |best: &mo_copp::solver::ParetoPoint| judge.problem.goal_difference(best.counts);
+                |best: &mo_copp::solver::ReachablePair| judge.problem.goal_difference(best.counts);
             assert_eq!(point.best.as_ref().map(difference), alone.goal_difference);
-            for found in alone.pareto.into_iter().flatten() {
+            for found in alone.pairs.into_iter().flatten() {
                 if !pairs.iter().any(|&(counts, _)| counts == pair(found.counts)) {
                     pairs.push((pair(found.counts), point.length));
                 }
             }
         }
-        assert_eq!(outcome.pareto.is_some(), options.pareto);
-        if let Some(found) = &outcome.pareto {
+        assert_eq!(outcome.pairs.is_some(), options.pairs);
+        if let Some(found) = &outcome.pairs {
             pairs.sort_unstable();
             let found: Vec<_> = found.iter().map(|p| (pair(p.counts), p.plan.len())).collect();
             assert_eq!(found, pairs);
@@ -192,7 +194,7 @@ fn what_is_proved_is_kept_when_it_is_stopped() {
             assert_eq!((&left.plan, &left.lengths), (&progress.plan, &None));
         }
         let mut options = options.clone();
-        options.limits.expansions = dice.below(20) as u64;
+        options.limits.expansions = dice.below(8) as u64;
         let outcome = in_slices(&judge, &options, u64::MAX);
         assert_eq!(in_slices(&judge, &options, 1), outcome);
         if outcome.limit.is_none() {

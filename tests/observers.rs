@@ -8,7 +8,7 @@ use crate::common::strips::Strips;
 use crate::common::{Dice, Judge};
 use crate::{exact, integer_programs, search};
 
-const COMPANIES: [&[Role]; 6] = [
+pub const COMPANIES: [&[Role]; 6] = [
     &[Adversarial, Adversarial, Cooperative],
     &[Adversarial, Cooperative, Cooperative],
     // The integer programs decide on the first observer's flows: let it be a friend too.

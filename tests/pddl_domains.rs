@@ -5,8 +5,10 @@ use std::sync::Arc;
 
 use mo_copp::domain::Pddl;
 use mo_copp::domain::pddl::generate::{BlocksworldShape, DriverlogShape, LogisticsShape};
+use mo_copp::problem::Observer;
+use mo_copp::solver::{Options, ReachablePair, Solver};
 
-use crate::common::{Dice, Judge, Wish, atoms, random};
+use crate::common::{Dice, Judge, Wish, atoms, random, solve};
 use crate::{exact, integer_programs, search};
 
 fn judge(document: &Pddl) -> Judge {
@@ -14,16 +16,52 @@ fn judge(document: &Pddl) -> Judge {
 }
 
 fn small(seed: u64) -> [Pddl; 4] {
-    let blocks = BlocksworldShape { blocks: 3, goals: 3 };
-    let city = LogisticsShape { cities: 1, airplanes: 1, packages: 2, facts: 1, goals: 2 };
-    let cities = LogisticsShape { cities: 2, airplanes: 1, packages: 1, facts: 1, goals: 3 };
-    let drivers = DriverlogShape { places: 3, drivers: 1, trucks: 1, packages: 1, goals: 4 };
+    with_beliefs(seed, 1)
+}
+
+fn with_beliefs(seed: u64, belief: u32) -> [Pddl; 4] {
+    let blocks = BlocksworldShape { blocks: 3, goals: 3, belief };
+    let city = LogisticsShape { cities: 1, airplanes: 1, packages: 2, facts: 1, goals: 2, belief };
+    let cities =
+        LogisticsShape { cities: 2, airplanes: 1, packages: 1, facts: 1, goals: 3, belief };
+    let drivers =
+        DriverlogShape { places: 3, drivers: 1, trucks: 1, packages: 1, goals: 4, belief };
     [
         blocks.generate(seed).unwrap().document,
         city.generate(seed).unwrap().document,
         cities.generate(seed).unwrap().document,
         drivers.generate(seed).unwrap().document,
     ]
+}
+
+/// Each observer's initial belief is drawn for itself: each is the larger one in some problems and
+/// holds the initial state, and the friend can be left in more doubt than the enemy.
+#[test]
+fn initial_beliefs_are_drawn_for_each_observer_by_itself() {
+    let mut larger = [0, 0];
+    let mut negative = 0;
+    for seed in 0..40 {
+        for document in small(seed) {
+            assert_eq!(document.observers.adversarial.initial_belief, None);
+        }
+        for document in with_beliefs(seed, 6) {
+            let problem = Arc::new(document.problem().unwrap());
+            let sizes: Vec<usize> =
+                problem.observers().iter().map(|o| o.initial_belief.len()).collect();
+            assert!(sizes.iter().all(|size| (1..=6).contains(size)), "{sizes:?}");
+            larger[0] += usize::from(sizes[0] > sizes[1]);
+            larger[1] += usize::from(sizes[1] > sizes[0]);
+            let start = problem.task().initial_state();
+            let known = |observer: &Observer| observer.initial_belief.contains(start);
+            assert!(problem.observers().iter().all(known));
+            let mut options = Options::new(Solver::Exact);
+            options.pairs = true;
+            let pairs = solve(&problem, &options).pairs.unwrap();
+            let below = |pair: &ReachablePair| pair.counts.difference() < 0;
+            negative += usize::from(pairs.iter().any(below));
+        }
+    }
+    assert!(larger.iter().all(|&count| count > 20) && negative > 20, "{larger:?} {negative}");
 }
 
 /// The sizes of the state spaces: 13 ways to stack three blocks and 9 with one in the hand; a truck

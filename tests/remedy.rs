@@ -11,11 +11,12 @@ use crate::common::check::solve;
 use crate::common::oracle::Ending;
 use crate::common::random::{self, MEDIUM, PAIR};
 use crate::common::{Dice, Judge, Wish, oracle};
+use crate::observers::COMPANIES;
 use crate::search::heeded;
 
 /// Far longer than anything that the small problems here need: lengths after which all layers
 /// have been there before.
-const LONGEST: usize = 120;
+const LONGEST: usize = 150;
 
 /// The endings of the plans of every length up to the longest.
 fn endings(judge: &Judge) -> Vec<BTreeSet<Ending>> {
@@ -128,11 +129,18 @@ fn every_remedy_will_do_and_nothing_nearer() {
     let mut dice = Dice::new(70);
     let mut seen = [0; 7];
     for _ in 0..4000 {
-        let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
+        let roles = if dice.percent(20) { dice.pick(&COMPANIES) } else { &PAIR };
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, roles), 0);
         let wish = random::wish(&mut dice, &judge.table);
-        let asked = dice.percent(70).then(|| dice.below(9));
-        let solver =
-            dice.pick(&[Solver::Exact, Solver::Search, Solver::Obfuscate, Solver::Legible]);
+        let far = dice.percent(15);
+        let asked = dice.percent(70).then(|| dice.below(if far { 40 } else { 9 }));
+        let solver = dice.pick(&[
+            Solver::Exact,
+            Solver::Search,
+            Solver::Satisficing,
+            Solver::Obfuscate,
+            Solver::Legible,
+        ]);
         let options = Judge::options(solver, asked, &wish);
         let heeded = heeded(solver, &wish);
         let (reason, remedies) = expected(&judge, &endings(&judge), asked, &heeded);
@@ -152,6 +160,12 @@ fn every_remedy_will_do_and_nothing_nearer() {
         for budget in [1, 10] {
             assert_eq!(advise(&judge, &options, budget), advice);
         }
+        if reason.is_some() {
+            let problem = Arc::clone(&judge.problem);
+            let mut run = RemedyRun::after_proof(problem, options.clone()).unwrap();
+            while !run.advance(7).unwrap() {}
+            assert_eq!(run.outcome().unwrap(), advice);
+        }
         let reasons = [None, Some(Reason::Unreachable), Some(Reason::Length), Some(Reason::Bounds)];
         seen[reasons.iter().position(|r| *r == reason).unwrap()] += 1;
         for remedy in &advice.remedies {
@@ -164,25 +178,24 @@ fn every_remedy_will_do_and_nothing_nearer() {
 #[test]
 fn a_limited_or_stopped_search_says_that_there_may_be_more() {
     let mut dice = Dice::new(71);
-    let (mut limited, mut stopped, mut kept) = (0, 0, 0);
+    let (mut limited, mut stopped) = (0, 0);
     for _ in 0..2000 {
         let judge = Judge::new(random::table(&mut dice, MEDIUM, &PAIR));
         let wish = random::wish(&mut dice, &judge.table);
         let asked = dice.percent(80).then(|| dice.below(9));
         let mut options = Judge::options(Solver::Exact, asked, &wish);
         let whole = advise(&judge, &options, u64::MAX);
-        let mut check = |advice: &Advice, options: &Options| {
+        let check = |advice: &Advice, options: &Options| {
             if advice.complete {
                 assert_eq!(*advice, whole);
             } else {
                 assert!(advice.reason.is_none() || advice.reason == whole.reason);
                 assert!(advice.shortest.is_none() || advice.shortest == whole.shortest);
                 check_remedies(&judge, options, &wish, advice);
-                kept += usize::from(!advice.remedies.is_empty());
             }
         };
         let mut run = RemedyRun::new(Arc::clone(&judge.problem), options.clone()).unwrap();
-        for _ in 0..dice.below(40) {
+        for _ in 0..dice.below(16) {
             run.advance(2).unwrap();
         }
         let advice = run.outcome().unwrap();
@@ -190,7 +203,7 @@ fn a_limited_or_stopped_search_says_that_there_may_be_more() {
         assert_eq!(run.outcome().unwrap(), advice);
         stopped += usize::from(!advice.complete);
         let unlimited = options.clone();
-        options.limits.expansions = dice.below(40) as u64;
+        options.limits.expansions = dice.below(20) as u64;
         let advice = advise(&judge, &options, u64::MAX);
         check(&advice, &unlimited);
         limited += usize::from(!advice.complete);
@@ -201,7 +214,7 @@ fn a_limited_or_stopped_search_says_that_there_may_be_more() {
         check(&advice, &unlimited);
         assert_eq!(advise(&judge, &options, 1), advice);
     }
-    assert!(limited > 200 && stopped > 200 && kept > 100, "{limited} {stopped} {kept}");
+    assert!(limited > 200 && stopped > 200, "{limited} {stopped}");
 }
 
 /// Parity: without staying, no plan of the paper's grid is longer by an odd number of actions.

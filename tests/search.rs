@@ -6,8 +6,8 @@ use mo_copp::solver::{Solver, Status};
 use crate::common::random::{self, MEDIUM, PAIR};
 use crate::common::{Dice, Judge, Wish, oracle};
 
-pub const SOLVERS: [Solver; 4] =
-    [Solver::Search, Solver::Baseline, Solver::Obfuscate, Solver::Legible];
+pub const SOLVERS: [Solver; 5] =
+    [Solver::Search, Solver::Satisficing, Solver::Baseline, Solver::Obfuscate, Solver::Legible];
 
 /// The part of a wish that a solver heeds.
 pub fn heeded(solver: Solver, wish: &Wish) -> Wish {

@@ -37,7 +37,7 @@ fn random_options(dice: &mut Dice, judge: &Judge, wish: &Wish) -> Options {
     let horizon = fixed.then(|| random::horizon(dice, &judge.table, 100));
     let mut options = Judge::options(solver, horizon, wish);
     options.encoding = dice.pick(&Encoding::ALL);
-    options.pareto = solver == Solver::Exact && dice.percent(30);
+    options.pairs = solver == Solver::Exact && dice.percent(30);
     options
 }
 
@@ -52,10 +52,10 @@ fn random_case(dice: &mut Dice) -> (Judge, Wish, Options) {
 /// Of a run that was stopped, the pairs found until then: of the plan at least, and none but those
 /// that the whole run finds.
 fn check_pairs(options: &Options, outcome: &Outcome, whole: &Outcome) {
-    assert_eq!(outcome.pareto.is_some(), options.pareto);
-    let Some(points) = &outcome.pareto else { return };
+    assert_eq!(outcome.pairs.is_some(), options.pairs);
+    let Some(points) = &outcome.pairs else { return };
     assert!(points.windows(2).all(|two| two[0].counts < two[1].counts));
-    let all = whole.pareto.as_ref().unwrap();
+    let all = whole.pairs.as_ref().unwrap();
     for point in points {
         assert!(all.iter().any(|known| known.counts == point.counts));
     }
@@ -69,7 +69,7 @@ fn check_status(options: &Options, outcome: &Outcome, whole: &Outcome) {
         Status::Optimal => assert_eq!(outcome.goal_difference, whole.goal_difference),
         Status::Feasible => {
             assert!(outcome.plan.is_some());
-            assert!(!options.pareto || outcome.goal_difference != Some(1.0));
+            assert!(!options.pairs || outcome.goal_difference != Some(1.0));
         }
         Status::Limit => assert!(outcome.plan.is_none()),
         Status::Solved | Status::Infeasible => panic!("{:?} with a limit", outcome.status),
@@ -322,7 +322,13 @@ fn a_horizon_is_raised_by_steps() {
     for _ in 0..2500 {
         let judge = Judge::new(random::table(&mut dice, SMALL, &PAIR));
         let wish = random::wish(&mut dice, &judge.table);
-        let solver = dice.pick(&[Solver::Exact, Solver::Ip, Solver::Search, Solver::Baseline]);
+        let solver = dice.pick(&[
+            Solver::Exact,
+            Solver::Ip,
+            Solver::Search,
+            Solver::Satisficing,
+            Solver::Baseline,
+        ]);
         let wish = heeded(solver, &wish);
         let (from, step) = (dice.below(3), dice.between(1, 2));
         let mut options = Judge::options(solver, Some(from), &wish);

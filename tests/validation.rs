@@ -39,8 +39,8 @@ fn options() {
         any,
         "horizon: found any, expected a number of steps for the integer program; the exact solver takes any"
     );
-    let pareto = refused(|o| (o.solver, o.pareto) = (Solver::Search, true));
-    assert_eq!(pareto, "pareto: found the solver search, expected the solver exact");
+    let pairs = refused(|o| (o.solver, o.pairs) = (Solver::Search, true));
+    assert_eq!(pairs, "pairs: found the solver search, expected the solver exact");
 }
 
 #[test]

@@ -49,9 +49,11 @@ fn every_solver_works_in_slices() {
     for (options, status) in [
         (r#"{"solver": "exact"}"#, "optimal"),
         (r#"{"solver": "exact", "horizon": 3, "pareto": true}"#, "optimal"),
+        (r#"{"solver": "exact", "horizon": 3, "pairs": true}"#, "optimal"),
         (r#"{"solver": "ip"}"#, "optimal"),
         (r#"{"solver": "ip", "encoding": "paper", "horizon": 3}"#, "optimal"),
         (r#"{"solver": "search", "k": 6, "j": 1}"#, "solved"),
+        (r#"{"solver": "satisficing", "k": 6, "j": 1}"#, "solved"),
         (r#"{"solver": "baseline"}"#, "solved"),
         (r#"{"solver": "obfuscate", "k": 2}"#, "solved"),
         (r#"{"solver": "legible", "j": 1}"#, "solved"),
@@ -80,6 +82,9 @@ fn every_solver_works_in_slices() {
         assert_eq!(length(&outcome, "plan"), 3);
         let pareto = get(&outcome, "pareto");
         assert_eq!(pareto.is_undefined(), !options.contains("pareto"));
+        for key in ["pairs", "front"] {
+            assert_eq!(get(&outcome, key).is_undefined(), !options.contains("pairs"));
+        }
         if !pareto.is_undefined() {
             assert_eq!(get(&outcome, "pareto.0.adversarial").as_f64(), Some(6.0));
         }
@@ -164,7 +169,7 @@ fn options_that_do_not_fit_throw() {
         (r#"{"solver": "exact", "k": 7}"#, "k: found 7, expected a whole number from 1 to 6"),
         (
             r#"{"solver": "exact", "width": 7}"#,
-            "document: found the unknown key \"width\", expected only solver, encoding, horizon, horizon_step, horizon_limit, k, j, require, forbid, pareto, lengths",
+            "document: found the unknown key \"width\", expected only solver, encoding, horizon, horizon_step, horizon_limit, k, j, require, forbid, pairs, pareto, lengths",
         ),
         (
             r#"{"solver": "ip", "horizon": "any"}"#,

@@ -23,8 +23,8 @@ use crate::picture::{draw, read_picture_options};
 use crate::plan::{Plan, next_actions};
 use crate::problem;
 use crate::report::{
-    AdviceReport, EliminationReport, NextReport, ProgressReport, Scene, SolveReport, TraceReport,
-    read_options,
+    AdviceReport, EliminationReport, NextReport, ProgressReport, Request, Scene, SolveReport,
+    TraceReport, read_request,
 };
 use crate::solver;
 use crate::solver::remedy;
@@ -145,23 +145,24 @@ impl Problem {
 
     /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.
     pub fn solve(&self, options: SolveOptionsJs) -> Result<Run, JsValue> {
-        let run = solver::Run::new(Arc::clone(&self.problem), self.options(&options)?)
-            .map_err(|e| error::solve(&e))?;
-        Ok(Run { run, milliseconds: 0.0 })
+        let Request { options, old_names } = self.request(&options)?;
+        let run = solver::Run::new(Arc::clone(&self.problem), options);
+        Ok(Run { run: run.map_err(|e| error::solve(&e))?, old_names, milliseconds: 0.0 })
     }
 
     /// Gets ready to say why a run with these options found no plan, and which change of one option
     /// would allow one. Throws an `OptionsError` where the options do not fit.
     pub fn remedy(&self, options: SolveOptionsJs) -> Result<RemedyRun, JsValue> {
-        let run = remedy::RemedyRun::new(Arc::clone(&self.problem), self.options(&options)?);
+        let options = self.request(&options)?.options;
+        let run = remedy::RemedyRun::new(Arc::clone(&self.problem), options);
         Ok(RemedyRun { run: run.map_err(|e| error::solve(&e))? })
     }
 }
 
 impl Problem {
-    fn options(&self, options: &SolveOptionsJs) -> Result<solver::Options, JsValue> {
+    fn request(&self, options: &SolveOptionsJs) -> Result<Request, JsValue> {
         let text = js_sys::JSON::stringify(options).map(String::from)?;
-        read_options(&text, &self.problem).map_err(|e| error::options(&e))
+        read_request(&text, &self.problem).map_err(|e| error::options(&e))
     }
 
     fn plan(&self, names: &[String]) -> Result<Plan, JsValue> {
@@ -174,6 +175,7 @@ impl Problem {
 #[derive(Debug)]
 pub struct Run {
     run: solver::Run,
+    old_names: bool,
     milliseconds: f64,
 }
 
@@ -197,6 +199,7 @@ impl Run {
         let outcome = self.run.outcome().map_err(|e| error::solve(&e))?;
         let mut report = SolveReport::new(self.run.problem(), &outcome);
         report.stats.seconds = Some(self.milliseconds / 1000.0);
+        let report = if self.old_names { report.with_old_names() } else { report };
         to_js(&report)
     }
 }

@@ -14,7 +14,7 @@ export interface BoxState { robot: Cell; facing: "north" | "south" | "east" | "w
 /** A state of the recycling robot. */
 export interface RobotState { robot: Cell; battery: number; can: Cell | "held" }
 export type Role = "adversarial" | "cooperative";
-export type SolverName = "exact" | "ip" | "search" | "baseline" | "obfuscate" | "legible";
+export type SolverName = "exact" | "ip" | "search" | "satisficing" | "baseline" | "obfuscate" | "legible";
 export type EncodingName = "paper" | "belief-flow";
 export type Status = "optimal" | "solved" | "feasible" | "infeasible" | "limit";
 export interface ByObserver<T> { adversarial: T; cooperative: T }
@@ -53,6 +53,8 @@ export interface SolveOptions {
   require?: { observer: string; goal: string }[];
   forbid?: { observer: string; goal: string }[];
   /** Every reachable pair of survivor counts, for `exact`. */
+  pairs?: boolean;
+  /** The old name of `pairs`: the outcome has the pairs under this name too. */
   pareto?: boolean;
   /** The best plan of every length from 0 to this one (at most 1000), for `exact` and without a horizon.
       The plan of the outcome is then the best that has at most so many actions. */
@@ -74,10 +76,16 @@ export interface Outcome {
   gap?: number;
   /** Of `exact` over all lengths: whether the plan is proved to be a shortest one of its goal difference. */
   length_proved?: boolean;
-  /** With `pareto`: sorted. */
-  pareto?: { adversarial: number; cooperative: number; plan: string[] }[];
-  /** There, and false, where a limit or a stop came before all pairs were found: `pareto` has those found until then.
+  /** With `pairs`: sorted. */
+  pairs?: { adversarial: number; cooperative: number; plan: string[] }[];
+  /** There, and false, where a limit or a stop came before all pairs were found: `pairs` has those found until then.
       The status may be `optimal` all the same. */
+  pairs_complete?: false;
+  /** With `pairs`: the Pareto front of them, those for which no other is at least as good for both sides. */
+  front?: { adversarial: number; cooperative: number }[];
+  /** With `pareto`: the pairs, sorted. */
+  pareto?: { adversarial: number; cooperative: number; plan: string[] }[];
+  /** The same of `pareto` as `pairs_complete`. */
   pareto_complete?: false;
   /** One for each length from 0, where `lengths` was asked for; of a run that was stopped, only for the
       lengths that are proved. Null where no plan of that length keeps the bounds. */

@@ -17,7 +17,7 @@ Examples:
   mo-copp generate gridworld --seed 1 > grid.json
   mo-copp solve grid.json --solver exact
   mo-copp solve grid.json --solver ip --horizon 12 --json
-  mo-copp solve grid.json --solver search --k 2 --j 2
+  mo-copp solve grid.json --solver satisficing --k 2 --j 2
   mo-copp trace grid.json --plan north,north,east
   mo-copp plan domain.pddl task.pddl
   mo-copp experiment fig3 --problems 5
@@ -70,20 +70,22 @@ pub struct BoundsArgs {
 #[command(allow_negative_numbers = true)]
 #[command(after_help = "\
 Solvers:
-  exact      the best goal difference of all plans (of T actions with --horizon T), proved
-  ip         the same for T actions, by integer programming
-  search     a plan that keeps the bounds --k and --j, or the proof that there is none
-  baseline   a plan for the true goal, whatever anybody makes of it
-  obfuscate  search with --k alone
-  legible    search with --j alone
+  exact        the best goal difference of all plans (of T actions with --horizon T), proved
+  ip           the same for T actions, by integer programming
+  satisficing  a plan that keeps the bounds --k and --j, or the proof that there is none: Algorithm 1
+               for 2,000 nodes, then exact search
+  search       the same by Algorithm 1 of the paper alone
+  baseline     a plan for the true goal alone
+  obfuscate    Algorithm 1 with --k alone
+  legible      Algorithm 1 with --j alone
 
 Examples:
-  mo-copp solve grid.json --solver exact --pareto
+  mo-copp solve grid.json --solver exact --pairs
   mo-copp solve grid.json --solver exact --lengths 30
   mo-copp solve grid.json --solver ip --encoding paper --horizon 6
   mo-copp solve grid.json --solver ip --horizon 12 --horizon-step 2
   mo-copp solve grid.json --solver exact --require adversarial:G2 --forbid cooperative:G3
-  cat grid.json | mo-copp solve - --solver search --k 2 --j 2 --json")]
+  cat grid.json | mo-copp solve - --solver satisficing --k 2 --j 2 --json")]
 pub struct SolveArgs {
     /// The problem document; - for the standard input.
     pub problem: PathBuf,
@@ -106,8 +108,11 @@ pub struct SolveArgs {
     /// What the plan must achieve.
     #[command(flatten)]
     pub bounds: BoundsArgs,
-    /// Every reachable pair of survivor counts with a plan for each; where a limit comes first,
-    /// those found until then. For exact.
+    /// Every reachable pair of survivor counts with a plan for each, and the Pareto front of them;
+    /// where a limit comes first, those found until then. For exact.
+    #[arg(long)]
+    pub pairs: bool,
+    /// The old name of --pairs: the JSON has the pairs under the key pareto.
     #[arg(long)]
     pub pareto: bool,
     /// The best plan of every length from 0 to L. For exact, without a horizon.
@@ -295,8 +300,9 @@ pub struct GenerateArgs {
     /// Walls in a grid [default: 0].
     #[arg(long, value_name = "N")]
     pub walls: Option<u32>,
-    /// States in each initial belief over a grid [default: 11 cells of a gridworld, 4 ways a robot
-    /// with a box could look, 4 cells of a recycling robot].
+    /// States in each initial belief [default: 11 cells of a gridworld, 4 ways a robot with a box
+    /// could look, 4 cells of a recycling robot, 1 state in PDDL]. In the domains in PDDL each
+    /// observer has from 1 to N, drawn for itself.
     #[arg(long, value_name = "N")]
     pub belief: Option<u32>,
     /// Levels of a recycling robot's battery [default: 5].

@@ -130,34 +130,37 @@ fn delivery(args: &GenerateArgs) -> Result<Drawn, CliError> {
 }
 
 fn blocksworld(args: &GenerateArgs) -> Result<Drawn, CliError> {
-    allow(args, &["blocks", "goals"])?;
+    allow(args, &["blocks", "goals", "belief"])?;
     let default = BlocksworldShape::default();
     let shape = BlocksworldShape {
         blocks: args.blocks.unwrap_or(default.blocks),
         goals: args.goals.unwrap_or(default.goals),
+        belief: args.belief.unwrap_or(default.belief),
     };
     Ok(shape.generate(args.seed)?.any())
 }
 
 fn logistics(args: &GenerateArgs) -> Result<Drawn, CliError> {
-    allow(args, &["packages", "goals"])?;
+    allow(args, &["packages", "goals", "belief"])?;
     let default = LogisticsShape::default();
     let packages = args.packages.unwrap_or(default.packages);
     let shape = LogisticsShape {
         packages,
         facts: default.facts.min(packages),
         goals: args.goals.unwrap_or(default.goals),
+        belief: args.belief.unwrap_or(default.belief),
         ..default
     };
     Ok(shape.generate(args.seed)?.any())
 }
 
 fn driverlog(args: &GenerateArgs) -> Result<Drawn, CliError> {
-    allow(args, &["packages", "goals"])?;
+    allow(args, &["packages", "goals", "belief"])?;
     let default = DriverlogShape::default();
     let shape = DriverlogShape {
         packages: args.packages.unwrap_or(default.packages),
         goals: args.goals.unwrap_or(default.goals),
+        belief: args.belief.unwrap_or(default.belief),
         ..default
     };
     Ok(shape.generate(args.seed)?.any())

@@ -27,7 +27,7 @@ pub fn advise(
     let mut options = options.clone();
     let most = outcome.stats.expansions.max(LEAST_EXPANSIONS);
     options.limits.expansions = options.limits.expansions.min(most);
-    let mut run = RemedyRun::new(Arc::clone(problem), options)?;
+    let mut run = RemedyRun::after_proof(Arc::clone(problem), options)?;
     while !stop.load(Ordering::SeqCst) && !run.advance(SLICE)? {}
     run.outcome().map(Some)
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use mo_copp::limits::{LimitReached, Limits};
 use mo_copp::problem::{Problem, Role};
-use mo_copp::report::{AdviceReport, SolveReport};
+use mo_copp::report::{AdviceReport, FrontReport, SolveReport};
 use mo_copp::solver::{Horizon, Options, Outcome, Solver, Status};
 
 use super::args::SolveArgs;
@@ -24,7 +24,7 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
         horizon_step: args.horizon_step,
         horizon_limit: args.horizon_limit,
         bounds: input::bounds(&args.bounds, &problem)?,
-        pareto: args.pareto,
+        pairs: args.pairs || args.pareto,
         lengths: args.lengths,
         limits: Limits {
             nodes: args.limits.nodes.unwrap_or(u64::MAX),
@@ -39,6 +39,9 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
     if args.json {
         let mut report = SolveReport::new(&problem, &outcome);
         report.stats.seconds = Some(seconds);
+        if args.pareto && !args.pairs {
+            report = report.with_old_names();
+        }
         report.remedy = advice.map(|advice| AdviceReport::new(&problem, &advice));
         // Only texts, numbers and lists: writing them cannot fail.
         print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
@@ -73,7 +76,7 @@ fn stopped_while_reading(args: &SolveArgs) -> Result<u8, CliError> {
 fn say_unused(args: &SolveArgs) {
     let goals = !args.bounds.require.is_empty() || !args.bounds.forbid.is_empty();
     let unused: &[(&str, bool)] = match args.solver {
-        Solver::Exact | Solver::Ip | Solver::Search => &[],
+        Solver::Exact | Solver::Ip | Solver::Search | Solver::Satisficing => &[],
         Solver::Obfuscate => &[("--j", args.bounds.j.is_some())],
         Solver::Legible => &[("--k", args.bounds.k.is_some())],
         Solver::Baseline => &[
@@ -130,16 +133,23 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
             names.join(", ")
         );
     }
-    if let Some(points) = &report.pareto {
-        let which = match report.pareto_complete {
+    if let Some(points) = &report.pairs {
+        let which = match report.pairs_complete {
             Some(false) => "pairs found so far, not all",
             _ => "reachable pairs",
         };
-        let _ = writeln!(text, "{which} (goals left to the enemy, to the friend):");
+        let _ = writeln!(
+            text,
+            "{which} (goals left to the enemy, to the friend; * for those on the Pareto front):"
+        );
         for point in points {
             let plan = point.plan.join(", ");
-            let pair = format!("({}, {})", point.adversarial, point.cooperative);
-            let _ = writeln!(text, "  {pair:8} {:3} actions: {plan}", point.plan.len());
+            let (adversarial, cooperative) = (point.adversarial, point.cooperative);
+            let on_front = FrontReport { adversarial, cooperative };
+            let front = report.front.as_ref().is_some_and(|front| front.contains(&on_front));
+            let mark = if front { "*" } else { " " };
+            let pair = format!("({adversarial}, {cooperative})");
+            let _ = writeln!(text, " {mark}{pair:8} {:3} actions: {plan}", point.plan.len());
         }
     }
     if let Some(points) = &report.lengths {

@@ -73,13 +73,39 @@ impl Domain {
     /// ```
     pub fn draw(self, seed: u64) -> Result<Drawn, GenerateError> {
         match self {
+            Self::Blocksworld | Self::Logistics | Self::Driverlog => {
+                self.draw_with_beliefs(seed, 1)
+            }
             Self::Gridworld => GridworldShape::default().generate(seed).map(Drawn::any),
             Self::BoxPushing => BoxPushingShape::default().generate(seed).map(Drawn::any),
             Self::RecyclingRobot => RecyclingRobotShape::default().generate(seed).map(Drawn::any),
             Self::Delivery => DeliveryShape::default().generate(seed).map(Drawn::any),
-            Self::Blocksworld => BlocksworldShape::default().generate(seed).map(Drawn::any),
-            Self::Logistics => LogisticsShape::default().generate(seed).map(Drawn::any),
-            Self::Driverlog => DriverlogShape::default().generate(seed).map(Drawn::any),
+        }
+    }
+
+    /// The same with initial beliefs of at most `belief` states, drawn for each observer by itself.
+    /// The domains that are not in PDDL have their own beliefs, and ignore the number.
+    ///
+    /// # Errors
+    ///
+    /// As [`draw`](Self::draw), and a number of states that makes no sense.
+    pub fn draw_with_beliefs(self, seed: u64, belief: u32) -> Result<Drawn, GenerateError> {
+        match self {
+            Self::Blocksworld => {
+                let shape = BlocksworldShape { belief, ..BlocksworldShape::default() };
+                shape.generate(seed).map(Drawn::any)
+            }
+            Self::Logistics => {
+                let shape = LogisticsShape { belief, ..LogisticsShape::default() };
+                shape.generate(seed).map(Drawn::any)
+            }
+            Self::Driverlog => {
+                let shape = DriverlogShape { belief, ..DriverlogShape::default() };
+                shape.generate(seed).map(Drawn::any)
+            }
+            Self::Gridworld | Self::BoxPushing | Self::RecyclingRobot | Self::Delivery => {
+                self.draw(seed)
+            }
         }
     }
 }

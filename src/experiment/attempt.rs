@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use super::entrant::{HORIZON_STEP, Lengths};
+use super::configuration::{HORIZON_STEP, Lengths};
 use super::record::{Asked, Record};
 use super::{ExperimentError, Job, Setting};
 use crate::limits::LimitReached;
@@ -36,18 +36,16 @@ pub fn attempt(
 ) -> Result<Ended, ExperimentError> {
     let domain = job.domain.domain;
     let seed = setting.seed_of(job.problem);
-    let drawn = domain.draw(seed).map_err(|error| ExperimentError::Draw {
-        domain: domain.name(),
-        seed,
-        error,
-    })?;
+    let drawn = domain
+        .draw_with_beliefs(seed, setting.beliefs.most())
+        .map_err(|error| ExperimentError::Draw { domain: domain.name(), seed, error })?;
     let problem = drawn.document.problem().map_err(|error| ExperimentError::Document {
         domain: domain.name(),
         seed,
         error,
     })?;
     let problem = Arc::new(problem);
-    let mut options = job.entrant.options(setting.figure, &setting.limits);
+    let mut options = job.configuration.options(setting.figure, &setting.limits);
     options.limits.bytes = options.limits.bytes.min(bytes);
     let asked = Asked::of(setting, job);
     let mut work = Work {
@@ -57,7 +55,7 @@ pub fn attempt(
         limit: setting.limits.seconds,
         begin: Instant::now(),
     };
-    let solved = match (job.entrant.lengths(), job.first_horizon()) {
+    let solved = match (job.configuration.lengths(), job.first_horizon()) {
         (Lengths::UpTo, Some(most)) => work.up_to(most),
         (_, Some(steps)) => work.at(Horizon::Steps(steps)),
         (_, None) => work.at(Horizon::Any),
@@ -66,7 +64,7 @@ pub fn attempt(
     let outcome = solved.map_err(|error| ExperimentError::Solve {
         domain: domain.name(),
         seed,
-        solver: job.entrant.name(),
+        solver: job.configuration.name(),
         error,
     })?;
     if stop.load(Ordering::SeqCst) {

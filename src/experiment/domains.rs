@@ -12,25 +12,22 @@ pub struct TestDomain {
     pub title: &'static str,
     /// The first horizon of the integer program and of the exact solver beside it.
     pub horizon: usize,
-    /// Whether the exact solver is let loose on plans of all lengths.
-    pub all_lengths: bool,
 }
 
-const fn row(domain: Domain, title: &'static str, horizon: usize, all_lengths: bool) -> TestDomain {
-    TestDomain { domain, title, horizon, all_lengths }
+const fn row(domain: Domain, title: &'static str, horizon: usize) -> TestDomain {
+    TestDomain { domain, title, horizon }
 }
 
 const FIG3: &[TestDomain] = &[
-    row(Domain::Gridworld, "Gridworld", 12, true),
-    row(Domain::BoxPushing, "Box Pushing", 12, true),
-    row(Domain::RecyclingRobot, "Recycling Robot", 10, true),
+    row(Domain::Gridworld, "Gridworld", 12),
+    row(Domain::BoxPushing, "Box Pushing", 12),
+    row(Domain::RecyclingRobot, "Recycling Robot", 10),
 ];
 
 const FIG4: &[TestDomain] = &[
-    row(Domain::Blocksworld, "Blocksworld", 12, true),
-    // Breadth first, a million expansions do not even reach the true goal.
-    row(Domain::Logistics, "Logistics", 12, false),
-    row(Domain::Driverlog, "Driverlog", 12, true),
+    row(Domain::Blocksworld, "Blocksworld", 12),
+    row(Domain::Logistics, "Logistics", 12),
+    row(Domain::Driverlog, "Driverlog", 12),
 ];
 
 impl Figure {

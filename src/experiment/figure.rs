@@ -1,6 +1,6 @@
 //! The two experiments of the paper's section "Empirical Evaluation", named after its figures.
 
-use super::Entrant;
+use super::Configuration;
 
 /// An experiment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,32 +28,35 @@ impl Figure {
         Self::ALL.into_iter().find(|figure| figure.name() == name)
     }
 
-    /// The solvers, in the order of tables. The exact ones and the second encoding are ours.
-    pub fn entrants(self) -> &'static [Entrant] {
+    /// The solvers, in the order of tables. The exact ones, the portfolio and the second encoding
+    /// are ours.
+    pub fn configurations(self) -> &'static [Configuration] {
         match self {
             Self::Fig3 => &[
-                Entrant::Baseline,
-                Entrant::Ip,
-                Entrant::Search,
-                Entrant::Exact,
-                Entrant::ExactAny,
-                Entrant::IpPaper,
+                Configuration::Baseline,
+                Configuration::Ip,
+                Configuration::Search,
+                Configuration::Satisficing,
+                Configuration::Exact,
+                Configuration::ExactAny,
+                Configuration::IpPaper,
             ],
             Self::Fig4 => &[
-                Entrant::Search,
-                Entrant::Obfuscate,
-                Entrant::Legible,
-                Entrant::ExactUpTo,
-                Entrant::ExactAny,
+                Configuration::Search,
+                Configuration::Obfuscate,
+                Configuration::Legible,
+                Configuration::Satisficing,
+                Configuration::ExactUpTo,
+                Configuration::ExactAny,
             ],
         }
     }
 
     /// The three that the paper compares, and that the analysis of variance is about.
-    pub fn compared(self) -> [Entrant; 3] {
+    pub fn compared(self) -> [Configuration; 3] {
         match self {
-            Self::Fig3 => [Entrant::Baseline, Entrant::Ip, Entrant::Search],
-            Self::Fig4 => [Entrant::Search, Entrant::Obfuscate, Entrant::Legible],
+            Self::Fig3 => [Configuration::Baseline, Configuration::Ip, Configuration::Search],
+            Self::Fig4 => [Configuration::Search, Configuration::Obfuscate, Configuration::Legible],
         }
     }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{ExperimentError, Figure, Job, Setting, SettingLimits, Shard};
+use super::{ExperimentError, Figure, InitialBeliefs, Job, Setting, SettingLimits, Shard};
 use crate::goal_difference::GoalSet;
 use crate::problem::{Problem, Role};
 use crate::solver::{Horizon, Options, Outcome, Solver, Stats};
@@ -21,6 +21,8 @@ pub struct Header {
     pub problems: u32,
     /// The domains.
     pub domains: Vec<String>,
+    /// What observers believe at first, in Figure 4.
+    pub initial_beliefs: InitialBeliefs,
     /// Where solvers stop.
     pub limits: SettingLimits,
     /// The part of the run.
@@ -36,6 +38,7 @@ impl Header {
             seed: setting.seed,
             problems: setting.problems,
             domains: setting.domains.iter().map(|d| d.domain.name().to_owned()).collect(),
+            initial_beliefs: setting.beliefs,
             limits: setting.limits.clone(),
             shard,
         }
@@ -62,6 +65,7 @@ impl Header {
             seed: self.seed,
             problems: self.problems,
             domains: domains.collect::<Result<_, _>>()?,
+            beliefs: self.initial_beliefs,
             limits: self.limits.clone(),
         };
         setting.check().map_err(|error| {
@@ -89,8 +93,14 @@ impl Header {
             ("seed", self.seed.to_string(), other.seed.to_string()),
             ("problems", self.problems.to_string(), other.problems.to_string()),
             ("domains", self.domains.join(", "), other.domains.join(", ")),
+            (
+                "initial beliefs",
+                self.initial_beliefs.name().to_owned(),
+                other.initial_beliefs.name().to_owned(),
+            ),
             ("memory limit", a.memory_mib.to_string(), b.memory_mib.to_string()),
             ("exact expansions", a.exact_expansions.to_string(), b.exact_expansions.to_string()),
+            ("search expansions", a.search_expansions.to_string(), b.search_expansions.to_string()),
             ("paper nodes", limit(a.paper_nodes), limit(b.paper_nodes)),
             ("paper nonzeros", a.paper_nonzeros.to_string(), b.paper_nonzeros.to_string()),
             ("time limit", limit(a.seconds), limit(b.seconds)),
@@ -128,6 +138,10 @@ pub struct Record {
     pub length: Option<usize>,
     /// Its goal difference.
     pub goal_difference: Option<f64>,
+    /// No plan that keeps what was asked has a greater goal difference; where the solver proved such a
+    /// bound.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub bound: Option<f64>,
     /// The goals that survive at its end.
     pub goals: Option<Survivors>,
     /// Its actions.
@@ -165,7 +179,7 @@ pub struct Asked {
 impl Asked {
     /// What a run of this setting asks in a job.
     pub(super) fn of(setting: &Setting, job: &Job) -> Self {
-        let options = job.entrant.options(setting.figure, &setting.limits);
+        let options = job.configuration.options(setting.figure, &setting.limits);
         Self::new(&options, job.first_horizon())
     }
 
@@ -282,13 +296,14 @@ impl Record {
             seed,
             redraws,
             candidates: problem.goals().len(),
-            solver: job.entrant.name().to_owned(),
+            solver: job.configuration.name().to_owned(),
             options: asked,
             status: outcome.status.name().to_owned(),
             limit: outcome.limit.map(|limit| limit.to_string()),
             horizon: outcome.horizon,
             length: outcome.plan.as_ref().map(crate::plan::Plan::len),
             goal_difference: outcome.goal_difference,
+            bound: outcome.bound,
             goals: outcome.survivors.as_ref().map(|sets| Survivors::new(problem, sets)),
             plan: outcome.plan.as_ref().map(|plan| plan.names(problem.task())),
             work: Work::new(&outcome.stats),

@@ -105,7 +105,7 @@ pub fn entries(
     jobs: &[Job],
     lines: Vec<(usize, String)>,
 ) -> Result<Entries, ExperimentError> {
-    let key = |job: &Job| (job.domain.domain.name(), job.problem, job.entrant.name());
+    let key = |job: &Job| (job.domain.domain.name(), job.problem, job.configuration.name());
     let known: BTreeMap<_, &Job> = jobs.iter().map(|job| (key(job), job)).collect();
     let mut entries = Entries::new();
     for (number, line) in lines {
@@ -136,8 +136,8 @@ pub struct Shown<'a>(pub &'a Job);
 
 impl std::fmt::Display for Shown<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Job { domain, problem, entrant, .. } = self.0;
-        write!(f, "{} {problem} {}", domain.domain.name(), entrant.name())
+        let Job { domain, problem, configuration, .. } = self.0;
+        write!(f, "{} {problem} {}", domain.domain.name(), configuration.name())
     }
 }
 

@@ -8,9 +8,9 @@ use super::attempt::{Ended, attempt};
 use super::records::RecordFile;
 use super::{ExperimentError, Job, Setting};
 
-/// What is told while a run is at work.
+/// What happens while a run is at work.
 #[derive(Debug, Clone, Copy)]
-pub enum Told<'a> {
+pub enum Event<'a> {
     /// A job is begun.
     Begun(&'a Job),
     /// A job has its record.
@@ -35,7 +35,7 @@ pub fn run(
     workers: usize,
     records: &mut RecordFile,
     stop: &AtomicBool,
-    tell: &(dyn Fn(Told<'_>) + Sync),
+    report: &(dyn Fn(Event<'_>) + Sync),
 ) -> Result<bool, ExperimentError> {
     let done = records.entries();
     let mut waiting: Vec<&Job> = jobs.iter().filter(|job| !done.contains_key(&job.place)).collect();
@@ -44,7 +44,7 @@ pub fn run(
     while !waiting.is_empty() {
         let bytes = (setting.limits.memory_mib << 20) / workers as u64;
         let jobs = std::mem::take(&mut waiting);
-        let round = Round { setting, jobs: &jobs, bytes, records: &records, stop, tell };
+        let round = Round { setting, jobs: &jobs, bytes, records: &records, stop, report };
         let Some(put_off) = round.run(workers)? else { return Ok(false) };
         waiting = put_off.into_iter().map(|index| jobs[index]).collect();
         workers = (workers / 2).max(1);
@@ -59,7 +59,7 @@ struct Round<'a, 'f> {
     bytes: u64,
     records: &'a Mutex<&'f mut RecordFile>,
     stop: &'a AtomicBool,
-    tell: &'a (dyn Fn(Told<'_>) + Sync),
+    report: &'a (dyn Fn(Event<'_>) + Sync),
 }
 
 impl Round<'_, '_> {
@@ -105,7 +105,7 @@ impl Round<'_, '_> {
 
     /// Whether the job needs no more memory than there is.
     fn one(&self, job: &Job) -> Result<bool, ExperimentError> {
-        (self.tell)(Told::Begun(job));
+        (self.report)(Event::Begun(job));
         match attempt(self.setting, job, self.bytes, self.stop)? {
             Ended::Answered(record) => {
                 // A thread that panics ends the run, so nobody meets what it left behind.
@@ -115,10 +115,10 @@ impl Round<'_, '_> {
                 };
                 records.add(job, *record)?;
                 drop(records);
-                (self.tell)(Told::Recorded(job));
+                (self.report)(Event::Recorded(job));
             }
             Ended::MoreMemory => {
-                (self.tell)(Told::PutOff(job));
+                (self.report)(Event::PutOff(job));
                 return Ok(false);
             }
             Ended::Stopped => {}

@@ -4,8 +4,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::entrant::Lengths;
-use super::{Entrant, ExperimentError, Figure, TestDomain};
+use super::configuration::Lengths;
+use super::{Configuration, ExperimentError, Figure, TestDomain};
 
 /// The most problems of a domain.
 pub const MAX_PROBLEMS: u32 = 10_000;
@@ -22,6 +22,8 @@ pub struct SettingLimits {
     pub memory_mib: u64,
     /// Expansions of the exact solver where it looks at plans of many lengths.
     pub exact_expansions: u64,
+    /// Expansions of Algorithm 1, with both bounds or one.
+    pub search_expansions: u64,
     /// Branch-and-bound nodes of the paper's encoding; none leaves that encoding out.
     pub paper_nodes: Option<u64>,
     /// Nonzero coefficients of the paper's encoding.
@@ -35,9 +37,47 @@ impl Default for SettingLimits {
         Self {
             memory_mib: 640,
             exact_expansions: 1_000_000,
+            search_expansions: 50_000,
             paper_nodes: Some(1),
             paper_nonzeros: 200_000,
             seconds: None,
+        }
+    }
+}
+
+/// What the observers of Figure 4 believe before the first step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum InitialBeliefs {
+    /// Both know the initial state. The friend's symbols refine the enemy's, so the friend is never
+    /// in more doubt and no goal difference is negative.
+    #[default]
+    Known,
+    /// From 1 to 8 states, drawn for each observer by itself: the friend may begin in more doubt
+    /// than the enemy.
+    Drawn,
+}
+
+/// The most states in a belief that is drawn.
+const DRAWN_STATES: u32 = 8;
+
+impl InitialBeliefs {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Known, Self::Drawn];
+
+    /// The name on the command line and in records.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Known => "known",
+            Self::Drawn => "drawn",
+        }
+    }
+
+    /// The most states in an initial belief.
+    pub fn most(self) -> u32 {
+        match self {
+            Self::Known => 1,
+            Self::Drawn => DRAWN_STATES,
         }
     }
 }
@@ -61,6 +101,8 @@ pub struct Setting {
     pub problems: u32,
     /// The domains.
     pub domains: Vec<TestDomain>,
+    /// What observers believe at first, in Figure 4.
+    pub beliefs: InitialBeliefs,
     /// Where solvers stop.
     pub limits: SettingLimits,
 }
@@ -75,7 +117,7 @@ pub struct Job {
     /// The number of the problem, from 1.
     pub problem: u32,
     /// The solver.
-    pub entrant: Entrant,
+    pub configuration: Configuration,
     /// Its place in an order in which the problems of a domain and a solver stand together.
     column_first: usize,
 }
@@ -83,7 +125,7 @@ pub struct Job {
 impl Job {
     /// The first horizon of the solver, where it takes one.
     pub(super) fn first_horizon(&self) -> Option<usize> {
-        match self.entrant.lengths() {
+        match self.configuration.lengths() {
             Lengths::Any => None,
             Lengths::Exactly | Lengths::UpTo => Some(self.domain.horizon),
         }
@@ -98,6 +140,7 @@ impl Setting {
             seed: 1,
             problems: 30,
             domains: figure.domains().to_vec(),
+            beliefs: InitialBeliefs::Known,
             limits: SettingLimits::default(),
         }
     }
@@ -132,10 +175,10 @@ impl Setting {
         Ok(())
     }
 
-    /// The solvers of a domain.
-    pub fn entrants(&self, domain: &TestDomain) -> Vec<Entrant> {
-        let all = self.figure.entrants().iter().copied();
-        all.filter(|entrant| entrant.takes_part(domain, &self.limits)).collect()
+    /// The solvers of each domain.
+    pub fn configurations(&self) -> Vec<Configuration> {
+        let all = self.figure.configurations().iter().copied();
+        all.filter(|configuration| configuration.takes_part(&self.limits)).collect()
     }
 
     /// The seed of a problem (counted from 1), as `mo-copp generate DOMAIN --seed` takes it.
@@ -145,16 +188,18 @@ impl Setting {
 
     /// All jobs: problem by problem, so that the work left can be told from the work done.
     pub fn jobs(&self) -> Vec<Job> {
-        let columns: Vec<(TestDomain, Entrant)> = self
+        let columns: Vec<(TestDomain, Configuration)> = self
             .domains
             .iter()
-            .flat_map(|domain| self.entrants(domain).into_iter().map(|entrant| (*domain, entrant)))
+            .flat_map(|domain| {
+                self.configurations().into_iter().map(|configuration| (*domain, configuration))
+            })
             .collect();
         let mut jobs = Vec::new();
         for problem in 1..=self.problems {
-            for (column, &(domain, entrant)) in columns.iter().enumerate() {
+            for (column, &(domain, configuration)) in columns.iter().enumerate() {
                 let column_first = column * self.problems as usize + problem as usize - 1;
-                jobs.push(Job { place: jobs.len(), domain, problem, entrant, column_first });
+                jobs.push(Job { place: jobs.len(), domain, problem, configuration, column_first });
             }
         }
         jobs

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::record::Record;
 use super::records::Entries;
 use super::statistics::{Anova, Spread};
-use super::{Entrant, Figure, Setting, SettingLimits};
+use super::{Configuration, Figure, InitialBeliefs, Setting, SettingLimits};
 
 /// A measure of a solver's answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -107,7 +107,7 @@ pub struct SolverSummary {
     /// Of its answers.
     pub seconds: Option<Spread>,
     #[serde(skip)]
-    entrant: Entrant,
+    configuration: Configuration,
 }
 
 impl SolverSummary {
@@ -184,6 +184,8 @@ pub struct Summary {
     pub seed: u64,
     /// How many problems of each domain.
     pub problems: u32,
+    /// What observers believe at first, in Figure 4.
+    pub initial_beliefs: InitialBeliefs,
     /// k and j of the search.
     pub bounds: (usize, usize),
     /// Where solvers stopped.
@@ -194,7 +196,7 @@ pub struct Summary {
 
 /// The records of a solver on a domain, in the order of the problems.
 struct Column<'a> {
-    entrant: Entrant,
+    configuration: Configuration,
     records: Vec<&'a Record>,
 }
 
@@ -210,13 +212,13 @@ impl Column<'_> {
         }
         let spread = |measure| Spread::of(&self.values(measure));
         SolverSummary {
-            solver: self.entrant.name(),
-            title: self.entrant.title(),
+            solver: self.configuration.name(),
+            title: self.configuration.title(),
             statuses,
             goal_difference: spread(Measure::GoalDifference),
             length: spread(Measure::Length),
             seconds: spread(Measure::Seconds),
-            entrant: self.entrant,
+            configuration: self.configuration,
         }
     }
 
@@ -233,8 +235,8 @@ impl Column<'_> {
         let (own, search) = (spread(|pair| pair.0)?, spread(|pair| pair.1)?.mean);
         let percent = |value: f64| (search != 0.0).then(|| 100.0 * value / search);
         Some(Relative {
-            solver: self.entrant.name(),
-            title: self.entrant.title(),
+            solver: self.configuration.name(),
+            title: self.configuration.title(),
             n: pairs.len(),
             mean: own.mean,
             search,
@@ -248,17 +250,17 @@ impl Summary {
     /// What all records of a run come to.
     pub fn new(setting: &Setting, entries: &Entries) -> Self {
         let jobs = setting.jobs();
-        let column = |domain, entrant| Column {
-            entrant,
+        let column = |domain, configuration| Column {
+            configuration,
             records: jobs
                 .iter()
-                .filter(|job| job.domain == domain && job.entrant == entrant)
+                .filter(|job| job.domain == domain && job.configuration == configuration)
                 .filter_map(|job| Some(&entries.get(&job.place)?.record))
                 .collect(),
         };
         let domains = setting.domains.iter().map(|&domain| {
             let columns: Vec<Column<'_>> =
-                setting.entrants(&domain).into_iter().map(|e| column(domain, e)).collect();
+                setting.configurations().into_iter().map(|e| column(domain, e)).collect();
             let redraws = columns.first().map_or(0, |column| {
                 column.records.iter().map(|record| u64::from(record.redraws)).sum()
             });
@@ -278,6 +280,7 @@ impl Summary {
             version: env!("CARGO_PKG_VERSION"),
             seed: setting.seed,
             problems: setting.problems,
+            initial_beliefs: setting.beliefs,
             bounds: setting.figure.bounds(),
             limits: setting.limits.clone(),
             domains: domains.collect(),
@@ -287,25 +290,25 @@ impl Summary {
 
 impl DomainSummary {
     /// The summary of a solver.
-    pub fn of(&self, entrant: Entrant) -> Option<&SolverSummary> {
-        self.solvers.iter().find(|solver| solver.entrant == entrant)
+    pub fn of(&self, configuration: Configuration) -> Option<&SolverSummary> {
+        self.solvers.iter().find(|solver| solver.configuration == configuration)
     }
 }
 
-fn find<'a, 'b>(columns: &'b [Column<'a>], entrant: Entrant) -> Option<&'b Column<'a>> {
-    columns.iter().find(|column| column.entrant == entrant)
+fn find<'a, 'b>(columns: &'b [Column<'a>], configuration: Configuration) -> Option<&'b Column<'a>> {
+    columns.iter().find(|column| column.configuration == configuration)
 }
 
 /// For each measure, over the three solvers that the paper compares.
 fn anova(figure: Figure, columns: &[Column<'_>]) -> Vec<AnovaSummary> {
     let compared = figure.compared();
     let one = |measure: Measure| {
-        let groups = compared.iter().filter_map(|&entrant| find(columns, entrant));
+        let groups = compared.iter().filter_map(|&configuration| find(columns, configuration));
         let values: Vec<Vec<f64>> = groups.map(|column| column.values(measure)).collect();
         let groups: Vec<&[f64]> = values.iter().map(Vec::as_slice).collect();
         AnovaSummary {
             measure: measure.name(),
-            groups: compared.map(Entrant::name).to_vec(),
+            groups: compared.map(Configuration::name).to_vec(),
             anova: Anova::of(&groups),
         }
     };
@@ -313,10 +316,10 @@ fn anova(figure: Figure, columns: &[Column<'_>]) -> Vec<AnovaSummary> {
 }
 
 fn relative(figure: Figure, columns: &[Column<'_>]) -> Vec<Relative> {
-    let (Figure::Fig4, Some(search)) = (figure, find(columns, Entrant::Search)) else {
+    let (Figure::Fig4, Some(search)) = (figure, find(columns, Configuration::Search)) else {
         return Vec::new();
     };
-    let alone = [Entrant::Obfuscate, Entrant::Legible];
-    let found = alone.into_iter().filter_map(|entrant| find(columns, entrant));
+    let alone = [Configuration::Obfuscate, Configuration::Legible];
+    let found = alone.into_iter().filter_map(|configuration| find(columns, configuration));
     found.filter_map(|column| column.relative(search)).collect()
 }

@@ -1,7 +1,7 @@
 //! Validity of a record: what its fields must have in common, whatever program wrote it.
 
 use super::record::{Asked, Record, Survivors};
-use super::{Entrant, Job, Setting};
+use super::{Configuration, Job, Setting};
 use crate::goal_difference::goal_difference;
 use crate::problem::MAX_GOALS;
 
@@ -19,7 +19,7 @@ const ROUNDING: f64 = 1e-9;
 /// What is expected in its place.
 pub(super) fn check(record: &Record, setting: &Setting, job: &Job) -> Result<(), String> {
     plan(record)?;
-    status(record, job.entrant)?;
+    status(record, job.configuration)?;
     if !(0.0..=MAX_SECONDS).contains(&record.seconds) {
         return Err(format!("seconds from 0 to {MAX_SECONDS}, not {:e}", record.seconds));
     }
@@ -31,6 +31,11 @@ pub(super) fn check(record: &Record, setting: &Setting, job: &Job) -> Result<(),
         // Only numbers and names: writing them cannot fail.
         let written = |asked| serde_json::to_string(asked).unwrap_or_default();
         return Err(format!("the options {}, not {}", written(&asked), written(&record.options)));
+    }
+    if let (Some(bound), Some(found)) = (record.bound, record.goal_difference)
+        && !(found - ROUNDING..=1.0).contains(&bound)
+    {
+        return Err(format!("a bound from the goal difference {found} to 1, not {bound:e}"));
     }
     match (&record.goals, record.goal_difference) {
         (Some(goals), Some(found)) => survivors(record, goals, found),
@@ -59,8 +64,9 @@ fn plan(record: &Record) -> Result<(), String> {
 }
 
 /// The status must be one that the solver gives, and a limit stand beside those that need one.
-fn status(record: &Record, entrant: Entrant) -> Result<(), String> {
-    let proves = entrant.is_exact() || matches!(entrant, Entrant::Ip | Entrant::IpPaper);
+fn status(record: &Record, configuration: Configuration) -> Result<(), String> {
+    let proves = configuration.is_exact()
+        || matches!(configuration, Configuration::Ip | Configuration::IpPaper);
     let status = record.status.as_str();
     if status == if proves { "solved" } else { "optimal" } {
         return Err(format!("a status that this solver gives, not {status}"));

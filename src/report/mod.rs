@@ -13,7 +13,7 @@ pub use advice::{AdviceReport, RemedyReport};
 pub use belief::{BeliefReport, Feature, Share};
 pub use classical::{PlanReport, PlanStats};
 pub use elimination::{EliminationReport, MissedReport};
-pub use request::read_options;
+pub use request::{Request, read_request};
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 
 use crate::goal_difference::GoalSet;
@@ -78,8 +78,17 @@ pub struct SolveReport {
     pub length_proved: Option<bool>,
     /// Every reachable pair of survivor counts, sorted, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub pareto: Option<Vec<ParetoReport>>,
+    pub pairs: Option<Vec<PairReport>>,
     /// False where a limit came before all pairs were found; not there otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pairs_complete: Option<bool>,
+    /// The Pareto front of the pairs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub front: Option<Vec<FrontReport>>,
+    /// The pairs, where they were asked for by their old name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pareto: Option<Vec<PairReport>>,
+    /// The same of these.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pareto_complete: Option<bool>,
     /// The best plan of each length from 0, where that was asked for.
@@ -97,13 +106,22 @@ pub struct SolveReport {
 
 /// A reachable pair of survivor counts with a plan for it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ParetoReport {
+pub struct PairReport {
     /// Goals that survive for the enemy.
     pub adversarial: usize,
     /// Goals that survive for the friend.
     pub cooperative: usize,
     /// The names of the actions.
     pub plan: Vec<String>,
+}
+
+/// A pair of survivor counts on the Pareto front: no other pair is at least as good for both sides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct FrontReport {
+    /// Goals that survive for the enemy.
+    pub adversarial: usize,
+    /// Goals that survive for the friend.
+    pub cooperative: usize,
 }
 
 /// The best plan of exactly this many actions; null where no plan of this length keeps the bounds.
@@ -249,6 +267,9 @@ impl SolveReport {
             bound: None,
             gap: None,
             length_proved: None,
+            pairs: None,
+            pairs_complete: None,
+            front: None,
             pareto: None,
             pareto_complete: None,
             lengths: None,
@@ -261,8 +282,8 @@ impl SolveReport {
     /// The report of an outcome.
     pub fn new(problem: &Problem, outcome: &Outcome) -> Self {
         let task = problem.task();
-        let pareto = outcome.pareto.as_ref().map(|points| {
-            let point = |point: &crate::solver::ParetoPoint| ParetoReport {
+        let pairs = outcome.pairs.as_ref().map(|points| {
+            let point = |point: &crate::solver::ReachablePair| PairReport {
                 adversarial: point.counts.adversarial,
                 cooperative: point.counts.cooperative,
                 plan: point.plan.names(task),
@@ -284,8 +305,17 @@ impl SolveReport {
             bound: outcome.bound,
             gap: outcome.gap(),
             length_proved: outcome.length_proved,
-            pareto_complete: (pareto.is_some() && outcome.limit.is_some()).then_some(false),
-            pareto,
+            pairs_complete: (pairs.is_some() && outcome.limit.is_some()).then_some(false),
+            pairs,
+            front: outcome.front().map(|pairs| {
+                let point = |pair: &&crate::solver::ReachablePair| FrontReport {
+                    adversarial: pair.counts.adversarial,
+                    cooperative: pair.counts.cooperative,
+                };
+                pairs.iter().map(point).collect()
+            }),
+            pareto: None,
+            pareto_complete: None,
             lengths: outcome.lengths.as_ref().map(|points| {
                 points.iter().map(|point| LengthReport::new(problem, point)).collect()
             }),
@@ -293,6 +323,15 @@ impl SolveReport {
             remedy: None,
             stats: StatsReport::new(outcome.solver, &outcome.stats),
         }
+    }
+}
+
+impl SolveReport {
+    /// The same with the pairs under the name that they had first, `pareto`, and without the front.
+    #[must_use]
+    pub fn with_old_names(self) -> Self {
+        let (pareto, pareto_complete) = (self.pairs, self.pairs_complete);
+        Self { pairs: None, pairs_complete: None, front: None, pareto, pareto_complete, ..self }
     }
 }
 
@@ -312,7 +351,10 @@ impl LengthReport {
 impl StatsReport {
     fn new(solver: Solver, stats: &Stats) -> Self {
         let program = solver == Solver::Ip;
-        let search = matches!(solver, Solver::Search | Solver::Obfuscate | Solver::Legible);
+        let search = matches!(
+            solver,
+            Solver::Search | Solver::Satisficing | Solver::Obfuscate | Solver::Legible
+        );
         Self {
             expansions: (!program).then_some(stats.expansions),
             generated: (!program).then_some(stats.generated),

@@ -6,7 +6,7 @@ use crate::document::reader::{Fields, Reader};
 use crate::problem::Problem;
 use crate::solver::{Encoding, Horizon, MAX_HORIZON, Options, OptionsError, Solver, Watched};
 
-const KEYS: [&str; 11] = [
+const KEYS: [&str; 12] = [
     "solver",
     "encoding",
     "horizon",
@@ -16,26 +16,37 @@ const KEYS: [&str; 11] = [
     "j",
     "require",
     "forbid",
+    "pairs",
     "pareto",
     "lengths",
 ];
 
-/// The options written as a JSON object, as the JavaScript API takes them.
+/// What is asked of a solver.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Request {
+    /// The options.
+    pub options: Options,
+    /// Whether the pairs were asked for by their old name, `pareto`: the answer has it too, see
+    /// [`with_old_names`](super::SolveReport::with_old_names).
+    pub old_names: bool,
+}
+
+/// The request written as a JSON object, as the JavaScript API takes it.
 ///
 /// # Errors
 ///
 /// [`DocumentError`] with the option, what was given and what would do.
 ///
 /// ```
-/// use mo_copp::{domain::Delivery, report::read_options};
+/// use mo_copp::{domain::Delivery, report::read_request};
 /// let problem = Delivery::figure_1().problem()?;
-/// let options = read_options(r#"{"solver": "search", "k": 2, "j": 2}"#, &problem)?;
-/// assert_eq!(options.bounds.at_least, Some(2));
-/// let error = read_options(r#"{"solver": "search", "k": 7}"#, &problem).unwrap_err();
+/// let request = read_request(r#"{"solver": "search", "k": 2, "j": 2}"#, &problem)?;
+/// assert_eq!(request.options.bounds.at_least, Some(2));
+/// let error = read_request(r#"{"solver": "search", "k": 7}"#, &problem).unwrap_err();
 /// assert!(error.to_string().starts_with("k: found 7, expected a whole number from 1 to 6"));
 /// # Ok::<(), mo_copp::document::DocumentError>(())
 /// ```
-pub fn read_options(text: &str, problem: &Problem) -> Result<Options, DocumentError> {
+pub fn read_request(text: &str, problem: &Problem) -> Result<Request, DocumentError> {
     let json = Json::parse(text)?;
     let fields = Reader::new(&json).fields(&KEYS)?;
     let solver = fields.required("solver", &Solver::ALL.map(Solver::name).join(", "))?;
@@ -65,16 +76,18 @@ pub fn read_options(text: &str, problem: &Problem) -> Result<Options, DocumentEr
     options.bounds.at_most = bound("j")?;
     options.bounds.required = watched(&fields, "require", problem)?;
     options.bounds.forbidden = watched(&fields, "forbid", problem)?;
-    if let Some(pareto) = fields.optional("pareto") {
-        options.pareto = pareto.boolean()?;
-    }
+    let asked = |key| -> Result<bool, DocumentError> {
+        fields.optional(key).map_or(Ok(false), |reader| reader.boolean())
+    };
+    let (pairs, pareto) = (asked("pairs")?, asked("pareto")?);
+    options.pairs = pairs || pareto;
     if let Some(lengths) = fields.optional("lengths") {
         options.lengths = Some(steps(&lengths)?);
     }
     options.check(problem).map_err(|OptionsError { option, found, expected }| {
         DocumentError::invalid(option, found, expected)
     })?;
-    Ok(options)
+    Ok(Request { options, old_names: pareto && !pairs })
 }
 
 fn one_of<T: Copy>(

@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use super::SolveError;
-use super::best_first::baseline;
 use super::engine::{Advance, Engine, Finding};
 use super::outcome::{Stats, Status};
+use super::{SolveError, baseline};
 use crate::limits::{LimitReached, Limits};
 use crate::plan::{Plan, execute};
 use crate::task::Task;

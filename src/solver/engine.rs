@@ -3,7 +3,7 @@
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 
-use super::outcome::{LengthPoint, ParetoPoint, Progress, Stats, Status};
+use super::outcome::{LengthPoint, Progress, ReachablePair, Stats, Status};
 
 /// Where the work stands after a slice.
 #[derive(Debug)]
@@ -19,7 +19,7 @@ pub(super) enum Advance {
 pub(super) struct Finding {
     pub status: Status,
     pub plan: Option<Plan>,
-    pub pareto: Option<Vec<ParetoPoint>>,
+    pub pairs: Option<Vec<ReachablePair>>,
     pub lengths: Option<Vec<LengthPoint>>,
     pub limit: Option<LimitReached>,
     /// A proved upper bound on the goal difference, of a run that was stopped.
@@ -34,7 +34,7 @@ impl Finding {
         Self {
             status: Status::Infeasible,
             plan: None,
-            pareto: None,
+            pairs: None,
             lengths: None,
             limit: None,
             bound: None,

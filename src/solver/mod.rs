@@ -2,17 +2,19 @@
 //!
 //! | solver | answers | plan |
 //! |---|---|---|
-//! | exact: [`optimiser`], [`exact`] | the best goal difference at a horizon, at each up to a longest one, or over all, and every reachable pair of survivor counts | proved best |
+//! | exact | the best goal difference at a horizon, at each up to a longest one, or over all, and every reachable pair of survivor counts | proved best |
 //! | [`ip`] | the best goal difference at a horizon, by integer programming in two encodings | proved best |
-//! | [`best_first`]: search | a plan that keeps the bounds k and j | the first found |
+//! | search | a plan that keeps the bounds k and j, by Algorithm 1 of the paper | the first found |
+//! | satisficing | the same, by a portfolio of Algorithm 1 and exact search | the first found |
 //! | baseline | a plan for the true goal alone | the first found |
-//! | obfuscate, legible | search with one of the two bounds | the first found |
+//! | obfuscate, legible | Algorithm 1 with one of the two bounds | the first found |
 //!
 //! All take one type of [`Options`] and give one type of [`Outcome`]; a [`Run`] is any of them at
 //! work, advanced in slices so that its progress can be shown and it can be stopped with the best
 //! plan kept. A [`ClassicalRun`] is the baseline on a task that nobody watches.
 
-pub mod best_first;
+mod algorithm1;
+mod baseline;
 mod classical;
 // What the tests outside of the crate share, once for all tests inside.
 #[cfg(test)]
@@ -20,23 +22,23 @@ mod classical;
 #[allow(dead_code, unused_imports, unreachable_pub, missing_docs, missing_debug_implementations)]
 mod common;
 mod engine;
-pub mod exact;
-pub(in crate::solver) mod ground;
+mod error;
+mod explorer;
+mod ground;
 #[cfg(feature = "full")]
 pub mod ip;
-mod live;
 mod optimiser;
 mod options;
 mod outcome;
+mod portfolio;
 pub mod remedy;
 mod run;
-mod shortest;
-mod tree;
 
 pub use classical::{ClassicalOutcome, ClassicalRun};
+pub use error::SolveError;
 pub use optimiser::bounds::{UpperBound, upper_bounds};
 pub use options::{
     Bounds, Encoding, Horizon, MAX_HORIZON, MAX_LENGTHS, Options, OptionsError, Solver, Watched,
 };
-pub use outcome::{LengthPoint, Outcome, ParetoPoint, Progress, Stats, Status};
-pub use run::{Run, SolveError, abandoned, shortest_plan_length, solve};
+pub use outcome::{LengthPoint, Outcome, Progress, ReachablePair, Stats, Status};
+pub use run::{Run, abandoned, shortest_plan_length, solve};

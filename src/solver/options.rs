@@ -22,20 +22,30 @@ pub enum Solver {
     Exact,
     /// Integer programming.
     Ip,
-    /// Algorithm 1 of the paper.
+    /// Algorithm 1 of the paper, complete: greedy best first over states and approximate beliefs.
     Search,
+    /// Any plan that keeps the bounds, or the proof that there is none: a sequential portfolio of
+    /// Algorithm 1 and exact search.
+    Satisficing,
     /// Greedy best first for the true goal alone.
     Baseline,
-    /// Search with k alone: the friend is not asked about.
+    /// Algorithm 1 with k alone: the friend is not asked about.
     Obfuscate,
-    /// Search with j alone: the enemy is not asked about.
+    /// Algorithm 1 with j alone: the enemy is not asked about.
     Legible,
 }
 
 impl Solver {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::Exact, Self::Ip, Self::Search, Self::Baseline, Self::Obfuscate, Self::Legible];
+    pub const ALL: [Self; 7] = [
+        Self::Exact,
+        Self::Ip,
+        Self::Search,
+        Self::Satisficing,
+        Self::Baseline,
+        Self::Obfuscate,
+        Self::Legible,
+    ];
 
     /// The name on the command line and in output.
     pub fn name(self) -> &'static str {
@@ -43,6 +53,7 @@ impl Solver {
             Self::Exact => "exact",
             Self::Ip => "ip",
             Self::Search => "search",
+            Self::Satisficing => "satisficing",
             Self::Baseline => "baseline",
             Self::Obfuscate => "obfuscate",
             Self::Legible => "legible",
@@ -187,7 +198,7 @@ pub struct Options {
     /// What the plan must achieve.
     pub bounds: Bounds,
     /// Whether every reachable pair of survivor counts is wanted, for [`Solver::Exact`].
-    pub pareto: bool,
+    pub pairs: bool,
     /// The longest of the lengths for each of which the best plan is wanted, for
     /// [`Solver::Exact`]: from 0 to this one. The plan asked for has at most so many actions.
     pub lengths: Option<usize>,
@@ -205,7 +216,7 @@ impl Options {
             horizon_step: 0,
             horizon_limit: 100,
             bounds: Bounds::default(),
-            pareto: false,
+            pairs: false,
             lengths: None,
             limits: Limits::default(),
         }
@@ -264,9 +275,9 @@ impl Options {
                     .to_owned(),
             });
         }
-        if self.pareto && self.solver != Solver::Exact {
+        if self.pairs && self.solver != Solver::Exact {
             return Err(OptionsError {
-                option: "pareto",
+                option: "pairs",
                 found: format!("the solver {}", self.solver.name()),
                 expected: "the solver exact".to_owned(),
             });
@@ -297,7 +308,7 @@ impl Options {
     pub fn heeded_bounds(&self) -> Bounds {
         let mut bounds = self.bounds.clone();
         match self.solver {
-            Solver::Exact | Solver::Ip | Solver::Search => {}
+            Solver::Exact | Solver::Ip | Solver::Search | Solver::Satisficing => {}
             Solver::Obfuscate => bounds.at_most = None,
             Solver::Legible => bounds.at_least = None,
             Solver::Baseline => bounds = Bounds::default(),

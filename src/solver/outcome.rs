@@ -37,7 +37,7 @@ impl Status {
 
 /// A reachable pair of survivor counts, with one plan for it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ParetoPoint {
+pub struct ReachablePair {
     /// The pair.
     pub counts: SurvivorCounts,
     /// A plan that ends with it; a shortest one where plans of all lengths were asked for.
@@ -51,7 +51,7 @@ pub struct LengthPoint {
     pub length: usize,
     /// The survivor counts with the best goal difference, and a plan that ends with them; none
     /// where no plan of this length keeps the bounds.
-    pub best: Option<ParetoPoint>,
+    pub best: Option<ReachablePair>,
 }
 
 /// What the work took. Same input, same numbers.
@@ -114,6 +114,19 @@ pub struct Progress {
 }
 
 impl Progress {
+    /// Nothing known yet.
+    pub(crate) fn new(solver: Solver, horizon: Option<usize>) -> Self {
+        Self {
+            solver,
+            done: 0,
+            stats: Stats::default(),
+            horizon,
+            goal_difference: None,
+            bound: None,
+            plan: None,
+        }
+    }
+
     /// How far the best plan may be from the best there is, in goal difference.
     pub fn gap(&self) -> Option<f64> {
         Some((self.bound? - self.goal_difference?).max(0.0))
@@ -145,7 +158,7 @@ pub struct Outcome {
     pub length_proved: Option<bool>,
     /// Every reachable pair of survivor counts, sorted, where that was asked for; with a limit
     /// those found until then.
-    pub pareto: Option<Vec<ParetoPoint>>,
+    pub pairs: Option<Vec<ReachablePair>>,
     /// The best of each length from 0, where that was asked for; of a run that was stopped, of the
     /// lengths that are proved.
     pub lengths: Option<Vec<LengthPoint>>,
@@ -160,5 +173,28 @@ impl Outcome {
     /// best.
     pub fn gap(&self) -> Option<f64> {
         Some((self.bound? - self.goal_difference?).max(0.0))
+    }
+
+    /// The Pareto front of the pairs, sorted: those for which no other leaves at least as many goals to
+    /// the enemy and at most as many to the friend. None where pairs were not asked for. Linear in the
+    /// pairs.
+    pub fn front(&self) -> Option<Vec<&ReachablePair>> {
+        let mut front: Vec<&ReachablePair> = Vec::new();
+        // By falling count of the enemy; of one count the friend's least stands first in the pairs.
+        for pair in self.pairs.as_ref()?.iter().rev() {
+            let beaten = |last: &&ReachablePair| {
+                last.counts.adversarial == pair.counts.adversarial
+                    && last.counts.cooperative > pair.counts.cooperative
+            };
+            if front.last().is_some_and(beaten) {
+                front.pop();
+            }
+            let least = front.last().map(|last| last.counts.cooperative);
+            if least.is_none_or(|least| pair.counts.cooperative < least) {
+                front.push(pair);
+            }
+        }
+        front.reverse();
+        Some(front)
     }
 }

@@ -3,34 +3,20 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use thiserror::Error;
-
 use crate::limits::LimitReached;
 use crate::problem::Problem;
 use crate::trace::{Achievement, validate};
 
-use super::best_first::{baseline, patience, search};
 use super::engine::{Advance, Engine, Finding};
-use super::exact::{self, lengths};
+use super::error::SolveError;
+use super::explorer::{Explorer, Lengths};
+use super::ground::shortest_length::{Reached, Shortest};
 #[cfg(feature = "full")]
 use super::ip;
-use super::outcome::{LengthPoint, Outcome, ParetoPoint, Progress, Stats, Status};
-use super::shortest::{Reached, Shortest};
-use super::{Horizon, Options, OptionsError, Solver};
-
-/// Why a run cannot give an answer.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum SolveError {
-    /// The options do not fit the problem.
-    #[error(transparent)]
-    Options(#[from] OptionsError),
-    /// A plan did not pass its replay. A defect of this program: please report it.
-    #[error("internal error: a plan failed its replay: {0}")]
-    Replay(String),
-    /// A solver that only the crate with its feature `full` has. Nothing is wrong with the options.
-    #[error("this needs the full core, with the feature \"full\"")]
-    NeedsFullCore,
-}
+use super::optimiser::Optimiser;
+use super::outcome::{LengthPoint, Outcome, Progress, ReachablePair, Stats, Status};
+use super::portfolio::Portfolio;
+use super::{Horizon, Options, Solver, algorithm1, baseline};
 
 /// How many expansions or nodes [`solve`] does between two reports. Few, since a single one can
 /// take long: an expansion where beliefs are large, a node where the integer program is.
@@ -38,7 +24,9 @@ fn slice(solver: Solver) -> u64 {
     match solver {
         Solver::Exact => 16,
         Solver::Baseline => 4,
-        Solver::Ip | Solver::Search | Solver::Obfuscate | Solver::Legible => 1,
+        Solver::Ip | Solver::Search | Solver::Satisficing | Solver::Obfuscate | Solver::Legible => {
+            1
+        }
     }
 }
 
@@ -117,27 +105,31 @@ impl Run {
     fn start(&self) -> Result<Box<dyn Engine>, LimitReached> {
         let (problem, options) = (Arc::clone(&self.problem), &self.options);
         if let Some(longest) = options.lengths {
-            return Ok(Box::new(lengths::Lengths::new(problem, options, longest)));
+            return Ok(Box::new(Explorer::new(problem, options, Lengths::UpTo(longest))));
+        }
+        if options.pairs {
+            let lengths = self.horizon.map_or(Lengths::Any, Lengths::Exactly);
+            return Ok(Box::new(Explorer::new(problem, options, lengths)));
         }
         Ok(match (options.solver, self.horizon) {
-            (Solver::Exact, horizon) => exact::engine(problem, options, horizon),
+            (Solver::Exact, horizon) => Box::new(Optimiser::new(problem, options, horizon)),
             // `new` has refused it.
             #[cfg(not(feature = "full"))]
             (Solver::Ip, _) => return Err(LimitReached::Cancelled),
             #[cfg(feature = "full")]
             (Solver::Ip, horizon) => {
-                Box::new(ip::IntegerProgram::new(problem, options, horizon.unwrap_or(0))?)
+                let horizon = horizon.unwrap_or(0);
+                let lengths = Lengths::Exactly(horizon);
+                let starter = Box::new(Explorer::new(Arc::clone(&problem), options, lengths));
+                Box::new(ip::IntegerProgram::new(problem, options, horizon, starter)?)
             }
             (Solver::Baseline, horizon) => {
                 Box::new(baseline::engine(problem.task(), options.limits, horizon))
             }
             (Solver::Search | Solver::Obfuscate | Solver::Legible, horizon) => {
-                let search = search::engine(Arc::clone(&problem), options, horizon);
-                match horizon {
-                    Some(_) => Box::new(search),
-                    None => Box::new(patience::Patient::new(problem, options, search)),
-                }
+                Box::new(algorithm1::engine(problem, options, horizon))
             }
+            (Solver::Satisficing, horizon) => Box::new(Portfolio::new(problem, options, horizon)),
         })
     }
 
@@ -209,28 +201,16 @@ impl Run {
 
     /// What an engine answers when it is stopped, with the bound it has proved.
     fn stop(&self, engine: &mut dyn Engine, limit: LimitReached) -> Finding {
-        let mut progress = self.blank_progress();
+        let mut progress = Progress::new(self.options.solver, self.horizon);
         engine.report(&mut progress);
         let mut finding = engine.stop(limit);
         finding.bound = finding.bound.or(progress.bound);
         finding
     }
 
-    fn blank_progress(&self) -> Progress {
-        Progress {
-            solver: self.options.solver,
-            done: 0,
-            stats: Stats::default(),
-            horizon: self.horizon,
-            goal_difference: None,
-            bound: None,
-            plan: None,
-        }
-    }
-
     /// What is known so far.
     pub fn progress(&self) -> Progress {
-        let mut progress = self.blank_progress();
+        let mut progress = Progress::new(self.options.solver, self.horizon);
         if let Some(engine) = &self.engine {
             engine.report(&mut progress);
         } else if let Some(finding) = &self.finding {
@@ -320,7 +300,7 @@ fn conclude(
         bound: finding.bound,
         length_proved: finding.length_proved,
         // Of a run that was stopped, what is known.
-        pareto: options.pareto.then(Vec::new),
+        pairs: options.pairs.then(Vec::new),
         lengths: None,
         limit: finding.limit,
         stats,
@@ -338,9 +318,9 @@ fn conclude(
     };
     if let Some(plan) = &finding.plan {
         let achieved = replay(plan)?;
-        if options.pareto && finding.pareto.is_none() {
-            let point = ParetoPoint { counts: achieved.counts, plan: plan.clone() };
-            outcome.pareto = Some(vec![point]);
+        if options.pairs && finding.pairs.is_none() {
+            let point = ReachablePair { counts: achieved.counts, plan: plan.clone() };
+            outcome.pairs = Some(vec![point]);
         }
         outcome.horizon = Some(plan.len());
         outcome.goal_difference = Some(problem.goal_difference(achieved.counts));
@@ -350,13 +330,13 @@ fn conclude(
         outcome.survivors = Some(achieved.survivors);
         outcome.plan = Some(plan.clone());
     }
-    if let Some(points) = &finding.pareto {
+    if let Some(points) = &finding.pairs {
         for point in points {
             if replay(&point.plan)?.counts != point.counts {
                 return Err(SolveError::Replay("a pair of counts is wrong".to_owned()));
             }
         }
-        outcome.pareto = Some(points.clone());
+        outcome.pairs = Some(points.clone());
     }
     if let Some(points) = &finding.lengths {
         for LengthPoint { length, best } in points {

@@ -1,4 +1,4 @@
-//! Replays a plan and everything the observers make of it.
+//! The trace of a plan: its replay, with everything that the observers make of it.
 //!
 //! This is the one independent witness for every solver: it works on plain sets of states with the
 //! definitions of Section 2 of the paper and shares nothing with the solvers' interned spaces but
@@ -6,16 +6,17 @@
 
 mod elimination;
 mod reachable_goals;
+mod validator;
+
+use rustc_hash::FxHashSet;
 
 pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
 pub use reachable_goals::ReachableGoals;
-
-use rustc_hash::FxHashSet;
-use thiserror::Error;
+pub use validator::{Achievement, InvalidPlan, validate};
 
 use crate::goal_difference::GoalSet;
 use crate::plan::{Plan, PlanError, execute};
-use crate::problem::{Problem, SurvivorCounts};
+use crate::problem::Problem;
 use crate::task::{Action, OperatorId, State, Task};
 
 /// The most believed states that a trace keeps, over all steps and observers; and the most of one
@@ -258,40 +259,4 @@ impl Trace {
         let sets = self.steps.last().map(|step| step.survivors.as_slice()).unwrap_or_default();
         problem.goal_difference(problem.survivor_counts(sets))
     }
-}
-
-/// What a plan achieves.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Achievement {
-    /// The goals that survive for each observer at the end.
-    pub survivors: Vec<GoalSet>,
-    /// How many survive for each side.
-    pub counts: SurvivorCounts,
-}
-
-/// Why a plan is no solution.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum InvalidPlan {
-    /// A step cannot be carried out.
-    #[error(transparent)]
-    Step(#[from] PlanError),
-    /// The true goal does not hold at the end.
-    #[error("the plan ends in a state without the true goal")]
-    MissesGoal,
-}
-
-/// Replays a plan, keeping nothing but what it achieves.
-///
-/// # Errors
-///
-/// [`InvalidPlan`] when the plan does not solve the task.
-pub fn validate(problem: &Problem, plan: &Plan) -> Result<Achievement, InvalidPlan> {
-    let mut replay = Replay::new(problem, plan)?;
-    if !replay.reaches_goal() {
-        return Err(InvalidPlan::MissesGoal);
-    }
-    while replay.step().is_some() {}
-    let survivors = replay.survivors();
-    let counts = problem.survivor_counts(&survivors);
-    Ok(Achievement { survivors, counts })
 }

@@ -78,6 +78,10 @@ fn what_makes_no_sense_is_refused() {
         assert_eq!(ran.code, 2, "{more:?}");
         assert!(ran.err.contains(message), "{more:?}: {}", ran.err);
     }
+    let beliefs = ["experiment", "fig4", "--initial-beliefs", "guessed"];
+    let ran = mo_copp("", &beliefs);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("found guessed, expected known or drawn"), "{}", ran.err);
     for (problems, message) in [
         ("0", "problems: found 0, expected a whole number from 1 to 10000"),
         ("10001", "problems: found 10001, expected a whole number from 1 to 10000"),
@@ -130,6 +134,27 @@ fn a_full_disk_is_said_of_the_right_file_and_nothing_is_left_behind() {
     assert!(!new.exists());
     assert_eq!(std::fs::read(parts.join("records.jsonl")).unwrap(), b"old");
     assert_eq!(std::fs::read(&records).unwrap(), before);
+}
+
+/// Each observer's initial belief drawn for itself: the header says so, and the search is not the only
+/// one whose friend may be in more doubt.
+#[test]
+fn figure_4_with_drawn_initial_beliefs() {
+    let out = folder("experiment-drawn");
+    let drawn = ["experiment", "fig4", "--initial-beliefs", "drawn", "--domain", "blocksworld"];
+    let ran =
+        mo_copp("", &[&drawn[..], &["--problems", "2", "--out", out.to_str().unwrap()]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert!(ran.out.contains(", initial beliefs drawn for each observer by itself"), "{}", ran.out);
+    let lines = lines(&out.join("records.jsonl"));
+    assert_eq!(lines[0]["initial_beliefs"], "drawn");
+    // Problem 1 is the one that generate draws.
+    let document = mo_copp("", &["generate", "blocksworld", "--seed", "1", "--belief", "8"]);
+    assert!(document.out.contains("\"initial_belief\""), "{}", document.err);
+    let best = mo_copp(&document.out, &["solve", "-", "--json"]).json();
+    let record = |line: &&Value| line["solver"] == "exact-any" && line["problem"] == 1;
+    let record = lines.iter().find(record).unwrap();
+    assert_eq!(record["goal_difference"], best["goal_difference"]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `mo-copp solve`
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::{DELIVERY, EXPLICIT, GRID, mo_copp};
 
@@ -30,6 +30,8 @@ fn every_solver_answers_the_delivery() {
         &["--solver", "ip", "--encoding", "paper", "--horizon", "3"],
         &["--solver", "ip", "--encoding", "belief-flow", "--horizon", "3"],
         &["--solver", "search", "--k", "2", "--j", "2"],
+        &["--solver", "satisficing", "--k", "2", "--j", "2"],
+        &["--solver", "satisficing", "--k", "2", "--j", "2", "--horizon", "3"],
         &["--solver", "baseline"],
         &["--solver", "obfuscate", "--k", "3"],
         &["--solver", "legible", "--j", "3"],
@@ -68,6 +70,32 @@ fn pareto_lists_the_pairs_sorted() {
     assert!(pairs.windows(2).all(|pair| pair[0] < pair[1]), "{pairs:?}");
     let best = pairs.iter().map(|&(x, c)| (x as f64 - c as f64) / 2.0).fold(-1.0, f64::max);
     assert_eq!(json["goal_difference"].as_f64().unwrap(), best);
+}
+
+#[test]
+fn pairs_have_their_front_and_their_old_name() {
+    let grid = mo_copp("", &["generate", "gridworld", "--seed", "3"]).out;
+    let json = mo_copp(&grid, &["solve", "-", "--pairs", "--json"]).json();
+    let old = mo_copp(&grid, &["solve", "-", "--pareto", "--json"]).json();
+    assert_eq!(json["pairs"], old["pareto"]);
+    for key in ["pareto", "pareto_complete", "pairs_complete"] {
+        assert!(json.get(key).is_none(), "{key}");
+    }
+    for key in ["pairs", "front", "pairs_complete", "pareto_complete"] {
+        assert!(old.get(key).is_none(), "{key}");
+    }
+    let front = json["front"].as_array().unwrap();
+    let counts = |pair: &Value| {
+        (pair["adversarial"].as_u64().unwrap(), pair["cooperative"].as_u64().unwrap())
+    };
+    // More goals for the enemy only at the price of more for the friend.
+    let front: Vec<(u64, u64)> = front.iter().map(counts).collect();
+    assert!(!front.is_empty() && front.windows(2).all(|two| two[0].0 < two[1].0));
+    assert!(front.windows(2).all(|two| two[0].1 < two[1].1), "{front:?}");
+    let text = mo_copp(&grid, &["solve", "-", "--pairs"]).out;
+    assert_eq!(text.matches("\n *(").count(), front.len(), "{text}");
+    let all = json["pairs"].as_array().unwrap().len();
+    assert_eq!(text.matches("\n  (").count(), all - front.len(), "{text}");
 }
 
 #[test]
@@ -251,7 +279,7 @@ fn why_there_is_no_plan_and_what_would_do() {
     assert!(ran.err.starts_with(first), "{}", ran.err);
     assert!(ran.err.contains("\n  with --horizon 14 there is a plan (goal difference "));
     assert_eq!(ran.err.lines().count(), 3, "{}", ran.err);
-    for solver in ["exact", "ip", "search", "baseline"] {
+    for solver in ["exact", "ip", "search", "satisficing", "baseline"] {
         let ran = mo_copp(GRID, &["solve", "-", "--horizon", "9", "--solver", solver, "--json"]);
         assert_eq!((ran.code, ran.err.as_str()), (1, ""));
         let remedy = &ran.json()["remedy"];

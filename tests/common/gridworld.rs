@@ -41,7 +41,7 @@ pub fn random(dice: &mut Dice, longest_side: usize) -> Gridworld {
                 sensor.set(action, dice.pick(&names));
             }
         }
-        if stay || dice.percent(10) {
+        if stay {
             sensor.set("stay", dice.pick(&["still", "vertical", "north-east"]));
         }
         GridObserver { initial_belief, cameras, sensor }

@@ -32,12 +32,14 @@ fn each_is_of_the_size_of_the_paper_and_solved_within_its_bounds() {
         assert!(text.lines().all(|line| line.len() <= 120), "{name} is readable");
         let problem = Arc::new(Document::parse(&text).unwrap().problem().unwrap());
         assert_eq!(problem.goals().len(), goals, "{name}");
-        let mut options = Options::new(Solver::Search);
-        options.bounds.at_least = Some(k);
-        options.bounds.at_most = Some(j);
-        let outcome = solve(&problem, &options);
-        assert_eq!(outcome.status, Status::Solved, "{name}");
-        let least = (k as f64 - j as f64) / (goals as f64 - 1.0);
-        assert!(outcome.goal_difference >= Some(least), "{name}");
+        for solver in [Solver::Search, Solver::Satisficing] {
+            let mut options = Options::new(solver);
+            options.bounds.at_least = Some(k);
+            options.bounds.at_most = Some(j);
+            let outcome = solve(&problem, &options);
+            assert_eq!(outcome.status, Status::Solved, "{name}");
+            let least = (k as f64 - j as f64) / (goals as f64 - 1.0);
+            assert!(outcome.goal_difference >= Some(least), "{name}");
+        }
     }
 }

@@ -543,12 +543,14 @@ fn the_examples_of_the_three_domains_are_solved() {
     ] {
         let problem = problem(text);
         assert_eq!(problem.goals().len(), 5);
-        let mut options = Options::new(Solver::Search);
-        options.bounds.at_least = Some(3);
-        options.bounds.at_most = Some(3);
-        let outcome = solve(&problem, &options);
-        assert_eq!(outcome.status, Status::Solved);
-        assert!(outcome.goal_difference >= Some(0.0));
+        for solver in [Solver::Search, Solver::Satisficing] {
+            let mut options = Options::new(solver);
+            options.bounds.at_least = Some(3);
+            options.bounds.at_most = Some(3);
+            let outcome = solve(&problem, &options);
+            assert_eq!(outcome.status, Status::Solved);
+            assert!(outcome.goal_difference >= Some(0.0));
+        }
     }
 }
 

@@ -101,8 +101,10 @@ fn shapes_of_domains_in_pddl_that_make_no_sense() {
     let error = |shape: BlocksworldShape| shape.generate(1).unwrap_err().to_string();
     let found = error(BlocksworldShape { blocks: 2, ..blocks });
     assert_eq!(found, "blocks: found 2, expected a whole number from 3 to 26");
-    let found = error(BlocksworldShape { blocks: 3, goals: 6 });
+    let found = error(BlocksworldShape { blocks: 3, goals: 6, ..blocks });
     assert_eq!(found, "goals: found 6, expected a whole number from 2 to 5");
+    let found = error(BlocksworldShape { belief: 0, ..blocks });
+    assert_eq!(found, "belief: found 0, expected a whole number from 1 to 10000");
     let cities = LogisticsShape::default();
     let error = |shape: LogisticsShape| shape.generate(1).unwrap_err().to_string();
     let found = error(LogisticsShape { facts: 7, ..cities });
@@ -118,9 +120,9 @@ fn shapes_of_domains_in_pddl_that_make_no_sense() {
     // As many goals as there are at all can be drawn, and the largest sizes.
     let all = LogisticsShape { cities: 1, packages: 2, facts: 1, goals: 2, ..cities };
     assert!(all.generate(3).is_ok());
-    assert!(BlocksworldShape { blocks: 3, goals: 5 }.generate(3).is_ok());
+    assert!(BlocksworldShape { blocks: 3, goals: 5, ..blocks }.generate(3).is_ok());
     assert!(DriverlogShape { places: 2, goals: 6, ..drivers }.generate(3).is_ok());
-    assert!(BlocksworldShape { blocks: 26, goals: 100 }.generate(3).is_ok());
+    assert!(BlocksworldShape { blocks: 26, goals: 100, ..blocks }.generate(3).is_ok());
 }
 
 #[test]

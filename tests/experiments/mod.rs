@@ -25,8 +25,7 @@ pub fn fig3(problems: u32) -> Setting {
 
 /// Figure 4 on a domain that takes no time.
 pub fn fig4(problems: u32) -> Setting {
-    let domain =
-        TestDomain { domain: Domain::Delivery, title: "Delivery", horizon: 3, all_lengths: true };
+    let domain = TestDomain { domain: Domain::Delivery, title: "Delivery", horizon: 3 };
     Setting { problems, domains: vec![domain], ..Setting::new(Figure::Fig4) }
 }
 

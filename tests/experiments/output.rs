@@ -16,7 +16,7 @@ type Line = (&'static str, Option<(usize, usize, usize)>, f64);
 fn entries(setting: &Setting, lines: &[(&str, Vec<Line>)]) -> Entries {
     let lines: BTreeMap<&str, &Vec<Line>> = lines.iter().map(|(name, l)| (*name, l)).collect();
     let entry = |job: &mo_copp::experiment::Job| {
-        let (status, plan, seconds) = lines[job.entrant.name()][job.problem as usize - 1];
+        let (status, plan, seconds) = lines[job.configuration.name()][job.problem as usize - 1];
         let names = |n: usize| (1..=n).map(|goal| format!("G{goal}")).collect::<Vec<_>>();
         let asked = serde_json::from_str::<Asked>("{}").unwrap();
         let record = Record {
@@ -25,13 +25,14 @@ fn entries(setting: &Setting, lines: &[(&str, Vec<Line>)]) -> Entries {
             seed: setting.seed_of(job.problem),
             redraws: job.problem,
             candidates: 5,
-            solver: job.entrant.name().to_owned(),
+            solver: job.configuration.name().to_owned(),
             options: asked,
             status: status.to_owned(),
             limit: None,
             horizon: None,
             length: plan.map(|(_, _, length)| length),
             goal_difference: plan.map(|(x, c, _)| (x as f64 - c as f64) / 4.0),
+            bound: None,
             goals: plan.map(|(x, c, _)| Survivors { adversarial: names(x), cooperative: names(c) }),
             plan: plan.map(|(_, _, length)| vec!["go".to_owned(); length]),
             work: Work::default(),
@@ -43,7 +44,7 @@ fn entries(setting: &Setting, lines: &[(&str, Vec<Line>)]) -> Entries {
 }
 
 /// Figure 4 with three problems. Search: GD 0.5, 0.25, none; obfuscation: 0, −0.25, 0.5;
-/// legibility: 0.25, none, none.
+/// legibility: 0.25, none, none; the portfolio: 0.5 each.
 fn by_hand() -> (Setting, Entries) {
     let setting = fig4(3);
     let solved = |x, c, length, seconds| ("solved", Some((x, c, length)), seconds);
@@ -59,6 +60,7 @@ fn by_hand() -> (Setting, Entries) {
                 "legible",
                 vec![solved(2, 1, 2, 0.5), ("limit", None, 9.0), ("infeasible", None, 2.0)],
             ),
+            ("satisficing", vec![solved(4, 2, 4, 0.25); 3]),
             (
                 "exact-up-to",
                 vec![
@@ -149,12 +151,12 @@ fn tables_for_programs() {
     let relative = relative_csv(&summary);
     assert!(relative.ends_with("delivery,legible,1,0.25,0.5,50,\n"), "{relative}");
     let records = records_csv(&entries);
-    assert_eq!(records.lines().count(), 1 + 15);
+    assert_eq!(records.lines().count(), 1 + 18);
     assert_eq!(
         records.lines().nth(1).unwrap(),
         "delivery,1,1,1,search,solved,,4,0.5,4,2,5,0,0,0.25"
     );
-    assert_eq!(records.lines().nth(8).unwrap(), "delivery,2,2,2,legible,limit,,,,,,5,0,0,9");
+    assert_eq!(records.lines().nth(9).unwrap(), "delivery,2,2,2,legible,limit,,,,,,5,0,0,9");
 }
 
 /// Everything of an SVG that stands between `from` and `to`.
@@ -210,7 +212,7 @@ fn figures_have_titles_axes_legends_and_a_dark_scheme() {
 fn a_run_of_one_problem_and_one_without_any_plan_can_be_drawn() {
     let none = ("limit", None, 1.0);
     let setting = fig4(1);
-    let names = ["search", "obfuscate", "legible", "exact-up-to", "exact-any"];
+    let names = ["search", "obfuscate", "legible", "satisficing", "exact-up-to", "exact-any"];
     let entries = entries(&setting, &names.map(|name| (name, vec![none])));
     let summary = Summary::new(&setting, &entries);
     assert!(summary.domains[0].relative.is_empty());
@@ -246,8 +248,8 @@ fn everything_is_written_into_the_folder() {
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!((&json["experiment"], &json["problems"]), (&"fig3".into(), &2.into()));
     let solvers = json["domains"][0]["solvers"].as_array().unwrap();
-    assert_eq!(solvers.len(), 5);
-    let exact = &solvers[3];
+    assert_eq!(solvers.len(), 6);
+    let exact = &solvers[4];
     assert_eq!((&exact["solver"], &exact["statuses"]["optimal"]), (&"exact".into(), &2.into()));
     assert_eq!(exact["goal_difference"]["n"], 2);
     // A folder that is none.

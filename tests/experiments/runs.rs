@@ -4,10 +4,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use mo_copp::domain::Document;
 use mo_copp::domain::generate::Domain;
-use mo_copp::experiment::{Shard, Told, run};
+use mo_copp::experiment::output::markdown;
+use mo_copp::experiment::{Event, InitialBeliefs, Setting, Shard, Summary, run};
 use serde_json::Value;
 
-use super::{fig3, fig4, folder, jobs, open, records, work};
+use super::{blocks, fig3, fig4, folder, jobs, open, records, work};
 
 const WHOLE: Shard = Shard::WHOLE;
 
@@ -40,7 +41,7 @@ fn the_integer_program_and_the_exact_solver_agree_and_nothing_beats_the_optimum(
     for problem in 1..=6 {
         let difference = |solver| of(&found, problem, solver)["goal_difference"].as_f64();
         assert_eq!(difference("ip"), difference("exact"));
-        for solver in ["baseline", "ip", "search"] {
+        for solver in ["baseline", "ip", "search", "satisficing"] {
             assert!(difference(solver) <= difference("exact-any"), "{solver} {problem}");
         }
         for solver in ["ip", "exact", "exact-any"] {
@@ -51,7 +52,7 @@ fn the_integer_program_and_the_exact_solver_agree_and_nothing_beats_the_optimum(
             assert!(length >= 12 && length.is_multiple_of(2), "horizon 12, raised by 2: {length}");
         }
         let search = of(&found, problem, "search");
-        assert_eq!(search["options"], serde_json::json!({"k": 2, "j": 2}));
+        assert_eq!(search["options"], serde_json::json!({"k": 2, "j": 2, "expansions": 50_000}));
         assert!(search["goals"]["adversarial"].as_array().unwrap().len() >= 2);
         assert!(search["goals"]["cooperative"].as_array().unwrap().len() <= 2);
         assert_eq!(search["seed"], problem);
@@ -72,13 +73,13 @@ fn the_exact_solver_up_to_a_horizon_takes_the_best_of_all_lengths() {
         assert_eq!((&exact["status"], &exact["length"]), (&"optimal".into(), &3.into()));
         assert_eq!(exact["goal_difference"].as_f64(), best);
         assert_eq!(exact["options"]["horizon"], 3);
-        for solver in ["search", "obfuscate", "legible"] {
+        for solver in ["search", "satisficing", "obfuscate", "legible"] {
             let record = of(&found, problem, solver);
             assert!(record["goal_difference"].as_f64() <= best, "{solver}");
             let bounds = (&record["options"]["k"], &record["options"]["j"]);
             let three = &Value::from(3);
             let expected = match solver {
-                "search" => (three, three),
+                "search" | "satisficing" => (three, three),
                 "obfuscate" => (three, &Value::Null),
                 _ => (&Value::Null, three),
             };
@@ -140,13 +141,13 @@ fn the_memory_limit_does_not_depend_on_the_jobs() {
     // With 500 at a time each has 2 kB.
     let mut file = open(&many, &setting, WHOLE).unwrap();
     let put_off = AtomicBool::new(false);
-    let tell = |told: Told<'_>| {
-        if matches!(told, Told::PutOff(_)) {
+    let report = |event: Event<'_>| {
+        if matches!(event, Event::PutOff(_)) {
             put_off.store(true, Ordering::SeqCst);
         }
     };
     let stop = AtomicBool::new(false);
-    assert!(run(&setting, &jobs(&setting, WHOLE), 500, &mut file, &stop, &tell).unwrap());
+    assert!(run(&setting, &jobs(&setting, WHOLE), 500, &mut file, &stop, &report).unwrap());
     drop(file);
     assert!(put_off.load(Ordering::SeqCst), "the test should meet the limit");
     assert_eq!(records(&alone, &setting, WHOLE), records(&many, &setting, WHOLE));
@@ -161,12 +162,12 @@ fn a_stopped_run_keeps_its_records_and_goes_on() {
     let jobs = jobs(&setting, WHOLE);
     let mut file = open(&path, &setting, WHOLE).unwrap();
     let stop = AtomicBool::new(false);
-    let tell = |told: Told<'_>| {
-        if let Told::Recorded(job) = told {
+    let report = |event: Event<'_>| {
+        if let Event::Recorded(job) = event {
             stop.store(job.place >= 6, Ordering::SeqCst);
         }
     };
-    assert!(!run(&setting, &jobs, 1, &mut file, &stop, &tell).unwrap());
+    assert!(!run(&setting, &jobs, 1, &mut file, &stop, &report).unwrap());
     assert_eq!(file.entries().len(), 7);
     drop(file);
     assert_eq!(work(&path, &setting, WHOLE, 2), jobs.len() - 7);
@@ -182,4 +183,25 @@ fn a_time_limit_is_recorded_as_one() {
     let found = records(&path, &setting, WHOLE);
     let met = found.iter().filter(|record| record["limit"] == "time limit reached: 0 s");
     assert!(met.count() >= 1);
+}
+
+/// Observers with beliefs of their own: the file says so, and is no part of a run without.
+#[test]
+fn initial_beliefs_that_are_drawn_are_another_run() {
+    let known = blocks(2);
+    let drawn = Setting { beliefs: InitialBeliefs::Drawn, ..known.clone() };
+    let folder = folder("beliefs");
+    let path = folder.join("records.jsonl");
+    work(&path, &drawn, WHOLE, 2);
+    let found = records(&path, &drawn, WHOLE);
+    assert_eq!(found.len(), 2 * drawn.configurations().len());
+    let header = std::fs::read_to_string(&path).unwrap();
+    assert!(header.lines().next().unwrap().contains("\"initial_beliefs\":\"drawn\""));
+    let error = open(&path, &known, WHOLE).unwrap_err().to_string();
+    assert!(error.contains("initial beliefs drawn"), "{error}");
+    let summary = Summary::new(&drawn, open(&path, &drawn, WHOLE).unwrap().entries());
+    assert!(markdown(&summary).starts_with(
+        "Mean ± standard deviation; 2 problems of each domain, seeds from 1, initial beliefs drawn \
+         for each observer by itself."
+    ));
 }

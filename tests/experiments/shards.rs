@@ -49,7 +49,7 @@ fn every_job_is_in_one_part_and_parts_are_alike() {
         // Each part has about as many of the slow solver.
         let slow = |number| {
             let jobs = jobs(&setting, Shard { number, of });
-            jobs.iter().filter(|job| job.entrant.name() == "ip").count()
+            jobs.iter().filter(|job| job.configuration.name() == "ip").count()
         };
         let slow: Vec<usize> = (1..=of).map(slow).collect();
         assert!(slow.iter().max().unwrap() - slow.iter().min().unwrap() <= 1, "{slow:?}");
@@ -69,7 +69,7 @@ fn what_does_not_fit_together_is_refused() {
     assert!(merge(&files).is_ok());
     assert_eq!(
         refused(&files[..2]),
-        "3 of 10 records are missing, the first of them: gridworld 1 ip of shard 3/3; run what \
+        "4 of 12 records are missing, the first of them: gridworld 1 ip of shard 3/3; run what \
          is missing, then merge again"
     );
     let twice = [files.clone(), vec![files[1].clone()]].concat();

@@ -9,7 +9,7 @@ use mo_copp::domain::gridworld::GridworldShape;
 use mo_copp::domain::pddl::generate::{BlocksworldShape, DriverlogShape};
 use mo_copp::domain::recycling_robot::RecyclingRobotShape;
 use mo_copp::domain::{Delivery, Document, Gridworld};
-use mo_copp::report::{SolveReport, read_options};
+use mo_copp::report::{SolveReport, read_request};
 use mo_copp::solver::Run;
 use serde_json::{Value, json};
 
@@ -44,11 +44,20 @@ pub fn draw(format: &str, seed: u64) -> Document {
             };
             shape.generate(seed).unwrap().document.into()
         }
-        "small blocksworld" => {
-            BlocksworldShape { blocks: 3, goals: 3 }.generate(seed).unwrap().document.into()
-        }
+        "small blocksworld" => BlocksworldShape { blocks: 3, goals: 3, belief: 1 }
+            .generate(seed)
+            .unwrap()
+            .document
+            .into(),
         "small driverlog" => {
-            let shape = DriverlogShape { places: 3, drivers: 1, trucks: 1, packages: 1, goals: 4 };
+            let shape = DriverlogShape {
+                places: 3,
+                drivers: 1,
+                trucks: 1,
+                packages: 1,
+                goals: 4,
+                belief: 1,
+            };
             shape.generate(seed).unwrap().document.into()
         }
         "blocksworld" | "logistics" | "driverlog" | "box-pushing" | "recycling-robot" => {
@@ -61,10 +70,11 @@ pub fn draw(format: &str, seed: u64) -> Document {
 /// What `solve --json` says, but for what the work took.
 pub fn answer(document: &str, options: &Value) -> Value {
     let problem = Arc::new(Document::parse(document).unwrap().problem().unwrap());
-    let options = read_options(&options.to_string(), &problem).unwrap();
-    let mut run = Run::new(Arc::clone(&problem), options).unwrap();
+    let request = read_request(&options.to_string(), &problem).unwrap();
+    let mut run = Run::new(Arc::clone(&problem), request.options).unwrap();
     while !run.advance(100).unwrap() {}
     let report = SolveReport::new(&problem, &run.outcome().unwrap());
+    let report = if request.old_names { report.with_old_names() } else { report };
     let mut report = serde_json::to_value(report).unwrap();
     report.as_object_mut().unwrap().remove("stats").unwrap();
     report

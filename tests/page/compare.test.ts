@@ -13,6 +13,7 @@ import { holdCore, withKnownWorkers } from "./support/workers.js";
 const solvers: [title: string, options: SolveOptions][] = [
   ["Exact search", { solver: "exact" }],
   ["Integer program, belief flow", { solver: "ip", encoding: "belief-flow" }],
+  ["Satisficing search", { solver: "satisficing" as SolveOptions["solver"] }],
   ["Heuristic search", { solver: "search" }],
   ["Baseline", { solver: "baseline" }],
   ["Obfuscate only", { solver: "obfuscate" }],

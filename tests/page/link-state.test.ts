@@ -14,6 +14,7 @@ const asked: [title: string, form: Record<string, string>, status: string, docum
   ["exact search", { k: "1", j: "2", horizon: "7" }, "optimal"],
   ["integer program, belief flow", { solver: "ip", k: "1", horizon: "6", horizonStep: "1" }, "optimal"],
   ["integer program, paper", { solver: "ip", encoding: "paper", horizon: "7" }, "optimal"],
+  ["satisficing search", { solver: "satisficing", k: "3", j: "1" }, "solved", gridworld],
   ["heuristic search", { solver: "search", k: "3", j: "1" }, "solved", gridworld],
   ["baseline", { solver: "baseline", horizon: "9" }, "solved"],
   ["obfuscate", { solver: "obfuscate", k: "4" }, "solved", gridworld],
@@ -29,7 +30,9 @@ for (const [title, form, status, problem = grid()] of asked) {
       await statusIs(page, "optimal", "infeasible");
       if (form.solver !== undefined) await press(page, "Solve");
       await page
-        .getByText(/^(Exact search|Integer program|Heuristic search|Baseline|Obfuscate only|Legible only): /)
+        .getByText(
+          /^(Exact search|Integer program|Satisficing search|Heuristic search|Baseline|Obfuscate only|Legible only): /,
+        )
         .waitFor();
       await statusIs(page, status);
       if (status !== "infeasible") await slider(page).fill("2");

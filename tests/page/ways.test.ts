@@ -140,9 +140,9 @@ test("a worker that is forbidden, wasm that is forbidden, an address that answer
       home.own.set("lesson/late.json", { body: grid() });
       await alert.getByRole("button", { name: "Try again" }).click();
       await solved(page);
-      home.own.set("lesson/large.json", { body: " ".repeat(2_100_000) });
+      home.own.set("lesson/large.json", { body: " ".repeat(8 * 1024 * 1024 + 1) });
       await page.evaluate(() => document.querySelector("#one")?.setAttribute("src", "large.json"));
-      await alert.getByText("“large.json” is too large: at most 2 MB").waitFor();
+      await alert.getByText("“large.json” is too large: at most 8 MiB").waitFor();
       assert.equal(await page.locator("#one [data-board=actor]").count(), 1);
     },
     { quiet: false },

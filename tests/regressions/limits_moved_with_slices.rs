@@ -14,12 +14,13 @@ fn exactly_as_many_as_allowed() {
         (Solver::Exact, Horizon::Any),
         (Solver::Exact, Horizon::Steps(3)),
         (Solver::Search, Horizon::Any),
+        (Solver::Satisficing, Horizon::Any),
         (Solver::Baseline, Horizon::Any),
     ] {
         for slice in [1, 2, u64::MAX] {
             let mut options = Options::new(solver);
             options.horizon = horizon;
-            options.pareto = solver == Solver::Exact;
+            options.pairs = solver == Solver::Exact;
             options.limits.expansions = 2;
             let mut run = Run::new(Arc::clone(&problem), options).unwrap();
             while !run.advance(slice).unwrap() {}

@@ -43,9 +43,9 @@ fn table() -> Table {
 fn the_shorter_plan_is_given() {
     let judge = Judge::new(table());
     let mut options = Judge::options(Solver::Exact, None, &Wish::default());
-    options.pareto = true;
+    options.pairs = true;
     let outcome = judge.solve(&options);
-    let pairs = outcome.pareto.as_ref().unwrap();
+    let pairs = outcome.pairs.as_ref().unwrap();
     let seen: Vec<_> =
         pairs.iter().map(|p| (p.counts.adversarial, p.counts.cooperative, p.plan.len())).collect();
     assert_eq!(seen, [(2, 1, 2), (3, 2, 1)]);

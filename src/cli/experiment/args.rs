@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
-use mo_copp::experiment::{Figure, Setting, SettingLimits, Shard};
+use mo_copp::experiment::{Figure, InitialBeliefs, Setting, SettingLimits, Shard};
 
 /// Repeat the paper's experiments.
 #[derive(Debug, Args)]
@@ -30,7 +30,7 @@ pub enum ExperimentCommand {
     /// Figure 3: baseline, integer program and search on three small domains.
     Fig3(RunArgs<PaperArgs>),
     /// Figure 4: the search against obfuscation alone and legibility alone on three IPC domains.
-    Fig4(RunArgs<NoArgs>),
+    Fig4(RunArgs<BeliefArgs>),
     /// Put the records of all shards together, and write tables and figures.
     Merge(MergeArgs),
 }
@@ -63,18 +63,36 @@ pub struct RunArgs<T: Args> {
     /// Expansions of the exact solver where it looks at plans of many lengths.
     #[arg(long, value_name = "N", default_value_t = SettingLimits::default().exact_expansions)]
     pub exact_expansions: u64,
+    /// Expansions of Algorithm 1, with both bounds or one.
+    #[arg(long, value_name = "N", default_value_t = SettingLimits::default().search_expansions)]
+    pub search_expansions: u64,
     /// A safety: stop each solver after so many seconds, looked at between two steps of its work.
     /// Where it is met, the answer depends on the machine.
     #[arg(long, value_name = "SECONDS")]
     pub time_limit: Option<u64>,
-    /// What only one of the figures has.
+    /// The options that only one of the figures has.
     #[command(flatten)]
-    pub more: T,
+    pub extra: T,
 }
 
-/// Nothing more.
+/// The initial beliefs of Figure 4.
 #[derive(Debug, Args)]
-pub struct NoArgs {}
+pub struct BeliefArgs {
+    /// What the observers believe at first: known, the initial state alone; or drawn, from 1 to 8
+    /// states for each observer by itself, so that the friend may begin in more doubt.
+    #[arg(long, value_name = "known|drawn", value_parser = initial_beliefs, default_value = "known")]
+    pub initial_beliefs: InitialBeliefs,
+}
+
+fn initial_beliefs(text: &str) -> Result<InitialBeliefs, String> {
+    let named = InitialBeliefs::ALL.into_iter().find(|beliefs| beliefs.name() == text);
+    named.ok_or_else(|| {
+        format!(
+            "found {text}, expected {}",
+            InitialBeliefs::ALL.map(InitialBeliefs::name).join(" or ")
+        )
+    })
+}
 
 /// The paper's encoding in Figure 3.
 #[derive(Debug, Args)]
@@ -110,6 +128,7 @@ impl<T: Args> RunArgs<T> {
             limits: SettingLimits {
                 memory_mib: self.memory_limit,
                 exact_expansions: self.exact_expansions,
+                search_expansions: self.search_expansions,
                 seconds: self.time_limit,
                 ..SettingLimits::default()
             },

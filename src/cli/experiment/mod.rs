@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 
 use mo_copp::experiment::records::{Entries, write_sorted};
 use mo_copp::experiment::{
-    ExperimentError, Figure, Header, RecordFile, Setting, Shard, Summary, merge, output, run,
+    ExperimentError, Figure, Header, InitialBeliefs, RecordFile, Setting, Shard, Summary, merge,
+    output, run,
 };
 
 use super::error::CliError;
@@ -20,18 +21,26 @@ pub fn run_command(args: &ExperimentArgs) -> Result<u8, CliError> {
     match &args.command {
         ExperimentCommand::Fig3(args) => {
             let mut setting = args.setting(Figure::Fig3);
-            setting.limits.paper_nodes = (!args.more.no_paper).then_some(args.more.paper_nodes);
-            setting.limits.paper_nonzeros = args.more.paper_nonzeros;
+            setting.limits.paper_nodes = (!args.extra.no_paper).then_some(args.extra.paper_nodes);
+            setting.limits.paper_nonzeros = args.extra.paper_nonzeros;
             figure(args, setting)
         }
-        ExperimentCommand::Fig4(args) => figure(args, args.setting(Figure::Fig4)),
+        ExperimentCommand::Fig4(args) => {
+            let mut setting = args.setting(Figure::Fig4);
+            setting.beliefs = args.extra.initial_beliefs;
+            figure(args, setting)
+        }
         ExperimentCommand::Merge(args) => merge_shards(args),
     }
 }
 
-/// The folder of a run.
-fn folder(out: Option<&PathBuf>, figure: Figure) -> Result<PathBuf, ExperimentError> {
-    let folder = out.cloned().unwrap_or_else(|| Path::new("results").join(figure.name()));
+/// The folder of a run: unless told otherwise one for each figure, and one for drawn beliefs.
+fn folder(out: Option<&PathBuf>, setting: &Setting) -> Result<PathBuf, ExperimentError> {
+    let name = match setting.beliefs {
+        InitialBeliefs::Known => setting.figure.name().to_owned(),
+        InitialBeliefs::Drawn => format!("{}-drawn-beliefs", setting.figure.name()),
+    };
+    let folder = out.cloned().unwrap_or_else(|| Path::new("results").join(name));
     std::fs::create_dir_all(&folder)
         .map_err(|error| ExperimentError::File { file: folder.display().to_string(), error })?;
     Ok(folder)
@@ -58,7 +67,7 @@ fn figure<T: clap::Args>(args: &RunArgs<T>, mut setting: Setting) -> Result<u8, 
         Some(jobs) => jobs,
         None => std::thread::available_parallelism().map_or(1, usize::from),
     };
-    let folder = folder(args.out.as_ref(), figure)?;
+    let folder = folder(args.out.as_ref(), &setting)?;
     let shard = args.shard.unwrap_or(Shard::WHOLE);
     let path = folder.join(match args.shard {
         None => "records.jsonl".to_owned(),
@@ -70,7 +79,7 @@ fn figure<T: clap::Args>(args: &RunArgs<T>, mut setting: Setting) -> Result<u8, 
     let mut records = RecordFile::open(&path, &header, &setting, &jobs)?;
     let watch = Watch::new(jobs.len(), records.entries().len());
     let complete =
-        run(&setting, &jobs, workers, &mut records, watch.stop(), &|told| watch.tell(told))?;
+        run(&setting, &jobs, workers, &mut records, watch.stop(), &|event| watch.report(event))?;
     watch.finish();
     let entries = records.entries().clone();
     drop(records);
@@ -90,7 +99,7 @@ fn figure<T: clap::Args>(args: &RunArgs<T>, mut setting: Setting) -> Result<u8, 
 
 fn merge_shards(args: &MergeArgs) -> Result<u8, CliError> {
     let (setting, entries) = merge(&args.files)?;
-    let folder = folder(args.out.as_ref(), setting.figure)?;
+    let folder = folder(args.out.as_ref(), &setting)?;
     let path = folder.join("records.jsonl");
     write_sorted(&path, &Header::new(&setting, Shard::WHOLE), &entries)?;
     conclude(&folder, &setting, &entries)

@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use mo_copp::experiment::{Job, Told};
+use mo_copp::experiment::{Event, Job};
 
 use crate::cli::{LIMIT, interrupt};
 
@@ -57,17 +57,17 @@ impl Watch {
     }
 
     /// Takes note of what a run tells.
-    pub fn tell(&self, told: Told<'_>) {
+    pub fn report(&self, event: Event<'_>) {
         let mut at_work = self.at_work.lock().unwrap_or_else(PoisonError::into_inner);
-        match told {
-            Told::Begun(job) => {
+        match event {
+            Event::Begun(job) => {
                 at_work.insert(job.place, name(job));
             }
-            Told::Recorded(job) => {
+            Event::Recorded(job) => {
                 at_work.remove(&job.place);
                 self.bar.inc(1);
             }
-            Told::PutOff(job) => {
+            Event::PutOff(job) => {
                 at_work.remove(&job.place);
             }
         }
@@ -82,5 +82,5 @@ impl Watch {
 }
 
 fn name(job: &Job) -> String {
-    format!("{} {} {}", job.domain.domain.name(), job.problem, job.entrant.name())
+    format!("{} {} {}", job.domain.domain.name(), job.problem, job.configuration.name())
 }

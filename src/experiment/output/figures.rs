@@ -1,33 +1,42 @@
 //! The figures of a run, in the manner of the paper's Figures 3 and 4.
 
 use super::chart::{Bar, Chart, Colour, Group, Scale, Series};
-use crate::experiment::{Entrant, ExperimentError, Figure, Measure, Summary};
+use crate::experiment::{Configuration, ExperimentError, Figure, Measure, Summary};
 
-/// The solvers shown: the paper's three and the optimum.
-fn shown(summary: &Summary) -> Vec<Entrant> {
+/// The solvers shown: the paper's three and the optimum; in Figure 3 also the portfolio, which in
+/// Figure 4 has the same answers as the search.
+fn shown(summary: &Summary) -> Vec<Configuration> {
     if summary.experiment == Figure::Fig3.name() {
-        vec![Entrant::Baseline, Entrant::Ip, Entrant::Search, Entrant::ExactAny]
+        vec![
+            Configuration::Baseline,
+            Configuration::Ip,
+            Configuration::Search,
+            Configuration::Satisficing,
+            Configuration::ExactAny,
+        ]
     } else {
         vec![
-            Entrant::Search,
-            Entrant::Obfuscate,
-            Entrant::Legible,
-            Entrant::ExactUpTo,
-            Entrant::ExactAny,
+            Configuration::Search,
+            Configuration::Obfuscate,
+            Configuration::Legible,
+            Configuration::ExactUpTo,
+            Configuration::ExactAny,
         ]
     }
 }
 
 /// How a solver is shown, the same in all figures of an experiment.
-fn series(entrant: Entrant) -> Series {
-    let colour = match entrant {
-        Entrant::Baseline | Entrant::IpPaper | Entrant::Legible => Colour::Grey,
-        Entrant::Ip | Entrant::Obfuscate => Colour::Blue,
-        Entrant::Search => Colour::Orange,
-        Entrant::Exact | Entrant::ExactUpTo => Colour::Green,
-        Entrant::ExactAny => Colour::Purple,
+fn series(configuration: Configuration) -> Series {
+    let colour = match configuration {
+        Configuration::Baseline | Configuration::IpPaper | Configuration::Legible => Colour::Grey,
+        Configuration::Ip | Configuration::Obfuscate => Colour::Blue,
+        Configuration::Search => Colour::Orange,
+        Configuration::Satisficing | Configuration::Exact | Configuration::ExactUpTo => {
+            Colour::Green
+        }
+        Configuration::ExactAny => Colour::Purple,
     };
-    Series { label: entrant.title().to_owned(), colour }
+    Series { label: configuration.title().to_owned(), colour }
 }
 
 /// Name and SVG text of each figure: one for each measure, and in Figure 4 the relative goal
@@ -66,10 +75,10 @@ fn of_measure(summary: &Summary, measure: Measure) -> Chart {
         label: domain.title.to_owned(),
         bars: shown
             .iter()
-            .map(|&entrant| {
-                let solver = domain.of(entrant)?;
+            .map(|&configuration| {
+                let solver = domain.of(configuration)?;
                 // The best plan found before a limit is no optimum to be measured against.
-                if entrant.is_exact() && solver.statuses.optimal < domain.problems as usize {
+                if configuration.is_exact() && solver.statuses.optimal < domain.problems as usize {
                     return None;
                 }
                 let spread = solver.spread(measure)?;
@@ -81,19 +90,20 @@ fn of_measure(summary: &Summary, measure: Measure) -> Chart {
         title: format!("{what}: mean and standard deviation"),
         axis: axis.to_owned(),
         scale,
-        series: shown.iter().map(|&entrant| series(entrant)).collect(),
+        series: shown.iter().map(|&configuration| series(configuration)).collect(),
         groups: groups.collect(),
     }
 }
 
 fn relative(summary: &Summary) -> Chart {
-    let shown = [Entrant::Obfuscate, Entrant::Legible];
+    let shown = [Configuration::Obfuscate, Configuration::Legible];
     let groups = summary.domains.iter().map(|domain| Group {
         label: domain.title.to_owned(),
         bars: shown
             .iter()
-            .map(|entrant| {
-                let line = domain.relative.iter().find(|line| line.solver == entrant.name())?;
+            .map(|configuration| {
+                let line =
+                    domain.relative.iter().find(|line| line.solver == configuration.name())?;
                 Some(Bar { height: line.percent?, error: line.percent_sd })
             })
             .collect(),

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::experiment::statistics::{Anova, Spread};
-use crate::experiment::{DomainSummary, Figure, Summary};
+use crate::experiment::{DomainSummary, Figure, InitialBeliefs, Summary};
 
 /// Smaller probabilities are not told apart: the paper's bound.
 const LEAST_P: f64 = 0.00001;
@@ -14,8 +14,13 @@ pub fn markdown(summary: &Summary) -> String {
     // Writing to a text cannot fail.
     let _ = writeln!(
         text,
-        "Mean ± standard deviation; {} problems of each domain, seeds from {}.\n",
-        summary.problems, summary.seed
+        "Mean ± standard deviation; {} problems of each domain, seeds from {}{}.\n",
+        summary.problems,
+        summary.seed,
+        match summary.initial_beliefs {
+            InitialBeliefs::Known => "",
+            InitialBeliefs::Drawn => ", initial beliefs drawn for each observer by itself",
+        }
     );
     text += "| domain | solver | goal difference | plan length | run time | answers |\n";
     text += "|---|---|---|---|---|---|\n";
@@ -49,7 +54,12 @@ pub fn markdown(summary: &Summary) -> String {
 fn solvers(text: &mut String, domain: &DomainSummary) {
     for solver in &domain.solvers {
         let statuses = solver.statuses.named();
-        let statuses: Vec<String> = statuses.iter().map(|(s, n)| format!("{n} {s}")).collect();
+        let proved = |status| match status {
+            "optimal" | "infeasible" => " (proved)",
+            _ => "",
+        };
+        let statuses: Vec<String> =
+            statuses.iter().map(|&(s, n)| format!("{n} {s}{}", proved(s))).collect();
         let digits = solver.seconds.map_or(0, |seconds| digits_of_seconds(seconds.mean));
         let _ = writeln!(
             text,

@@ -30,7 +30,7 @@ use super::objective::maximise_difference;
 use crate::belief::BeliefId;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Role};
-use crate::solver::live::LiveLayers;
+use crate::solver::ground::dead_ends::StatesBySteps;
 use crate::solver::{Bounds, Stats};
 use crate::task::{Action, StateId};
 
@@ -60,7 +60,7 @@ impl Network {
         joint: &mut JointSpace,
         bounds: &Bounds,
         observer: usize,
-        live: &LiveLayers,
+        live: &StatesBySteps,
         horizon: usize,
     ) -> Result<Self, LimitReached> {
         let start = joint.initial();
@@ -208,7 +208,7 @@ pub(super) fn encode(
     bounds: &Bounds,
     horizon: usize,
 ) -> Result<Option<Encoded>, LimitReached> {
-    let live = LiveLayers::new(joint, horizon)?;
+    let live = StatesBySteps::new(joint, horizon)?;
     let start = joint.initial();
     if !live.contains(0, start.state) {
         return Ok(None);

@@ -16,7 +16,6 @@ use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::solver::Options;
 use crate::solver::engine::{Advance, Engine, Finding};
-use crate::solver::exact::layers::Layers;
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::trace::validate;
 
@@ -34,14 +33,13 @@ const FIRST_PLAN_EXPANSIONS: u64 = 256;
 const ROUNDING: f64 = 1e-6;
 
 /// A program being solved.
-#[derive(Debug)]
 pub(in crate::solver) struct IntegerProgram {
     /// None when the encoding has already shown that there is no plan.
     encoded: Option<Encoded>,
     problem: Arc<Problem>,
-    options: Options,
-    horizon: usize,
     limits: Limits,
+    /// Looks for a plan before the program is solved.
+    starter: Box<dyn Engine>,
     state: State,
     stats: Stats,
     /// The best plan the program has found.
@@ -87,20 +85,28 @@ fn to_microlp(model: &Model) -> (microlp::Problem, Vec<microlp::Variable>) {
     (problem, variables)
 }
 
+/// Shown without the engine.
+impl std::fmt::Debug for IntegerProgram {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("IntegerProgram").field("bound", &self.bound).finish_non_exhaustive()
+    }
+}
+
 impl IntegerProgram {
+    /// `starter` is an engine that may have a plan of the horizon at hand after a few expansions.
     pub(in crate::solver) fn new(
         problem: Arc<Problem>,
         options: &Options,
         horizon: usize,
+        starter: Box<dyn Engine>,
     ) -> Result<Self, LimitReached> {
         let encoded = encode(Arc::clone(&problem), options, horizon)?;
         let stats = encoded.as_ref().map_or_else(Stats::default, |encoded| encoded.spaces);
         Ok(Self {
             encoded,
             problem,
-            options: options.clone(),
-            horizon,
             limits: options.limits,
+            starter,
             state: State::Begin,
             stats,
             best: None,
@@ -112,11 +118,10 @@ impl IntegerProgram {
     /// Looks for a plan to have before the relaxation at the root is solved, which can take long
     /// and cannot be cut. The program is not told, so it finds its own.
     fn first_plan(&mut self) {
-        let mut layers = Layers::new(Arc::clone(&self.problem), &self.options, self.horizon);
-        if layers.advance(FIRST_PLAN_EXPANSIONS).is_err() {
+        if self.starter.advance(FIRST_PLAN_EXPANSIONS).is_err() {
             return;
         }
-        let Some(plan) = layers.stop(LimitReached::Cancelled).plan else { return };
+        let Some(plan) = self.starter.stop(LimitReached::Cancelled).plan else { return };
         if let Ok(achieved) = validate(&self.problem, &plan) {
             self.first = Some((achieved.counts.difference() as f64, plan));
         }

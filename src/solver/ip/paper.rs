@@ -41,7 +41,7 @@ use super::model::{Comparison, Kind, Model, Name, Variable};
 use super::objective::maximise_difference;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Role};
-use crate::solver::live::LiveLayers;
+use crate::solver::ground::dead_ends::StatesBySteps;
 use crate::solver::{Bounds, Stats, Watched};
 use crate::task::{Action, StateId};
 
@@ -88,7 +88,7 @@ pub(super) fn encode(
     bounds: &Bounds,
     horizon: usize,
 ) -> Result<Option<Encoded>, LimitReached> {
-    let live = LiveLayers::new(joint, horizon)?;
+    let live = StatesBySteps::new(joint, horizon)?;
     let start = joint.initial().state;
     if !live.contains(0, start) {
         return Ok(None);

@@ -5,10 +5,11 @@
 //! of T, k and j by as little as will do; that less will not do is proved by exact search, unless a
 //! limit came before the proof.
 //!
-//! - [`run`](RemedyRun) asks these questions one after the other,
-//! - `horizons` looks for the nearest other horizons.
+//! - [`run`](RemedyRun) explores a small space to its end, and asks of others one question after the
+//!   other,
+//! - `next_horizons` tries the horizons next to the one asked for.
 
-mod horizons;
+mod next_horizons;
 mod run;
 
 pub use run::RemedyRun;

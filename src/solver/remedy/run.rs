@@ -1,23 +1,31 @@
 //! The search for remedies at work.
 
+#[cfg(test)]
+mod tests;
+
 use std::sync::Arc;
 
-use super::horizons::Horizons;
+use super::next_horizons::NextHorizons;
 use super::{Advice, Change, Reason, Remedy};
-use crate::limits::LimitReached;
+use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem};
 use crate::solver::engine::{Advance, Engine};
-use crate::solver::exact;
-use crate::solver::live::LiveLayers;
-use crate::solver::outcome::{Progress, Stats};
-use crate::solver::run::SolveError;
-use crate::solver::shortest::{Reached, Shortest};
-use crate::solver::{Horizon, Options, OptionsError, Solver};
+use crate::solver::explorer::neighbourhood::Neighbourhood;
+use crate::solver::ground::dead_ends::StatesBySteps;
+use crate::solver::ground::shortest_length::{Reached, Shortest};
+use crate::solver::optimiser::Optimiser;
+use crate::solver::outcome::Progress;
+use crate::solver::{Horizon, Options, OptionsError, SolveError, Solver};
 use crate::trace::validate;
 
 /// Expansions after which the search gives up, where the options allow no fewer.
 const MOST_EXPANSIONS: u64 = 1_000_000;
+
+/// The expansions and the bytes of the exhaustive exploration that comes first. It answers all
+/// questions in one go where the space is small; where it is not, one question at a time is faster.
+const EXPLORED: Limits =
+    Limits { bytes: 32 << 20, expansions: 20_000, nodes: u64::MAX, nonzeros: u64::MAX };
 
 /// Looks for remedies, in slices.
 ///
@@ -40,7 +48,13 @@ pub struct RemedyRun {
     /// With the bounds that the solver heeds.
     options: Options,
     asked: Option<usize>,
+    /// Whether it is known that there is no plan as asked for.
+    proved: bool,
+    /// Where the exhaustive exploration that comes first stops.
+    explored: Limits,
     stage: Stage,
+    /// An exploration that was too large to come first.
+    parked: Option<Box<Neighbourhood>>,
     /// Expansions of the stages before.
     expansions: u64,
     reason: Option<Reason>,
@@ -55,10 +69,14 @@ type Question = Option<(Change, usize)>;
 enum Stage {
     /// How far is the true goal?
     Shortest(Box<Shortest>),
+    /// Everything at once, as far as [`EXPLORED`] goes.
+    Explore(Box<Neighbourhood>),
     /// Is there a plan as asked for, or with this change of k or j?
     Question(Question, Box<dyn Engine>),
-    /// Which other horizons would do?
-    Horizons(Box<Horizons>),
+    /// Which of the next horizons would do?
+    NextHorizons(Box<NextHorizons>),
+    /// Which other horizon would do?
+    ExploreOn(Box<Neighbourhood>),
     Done,
 }
 
@@ -70,8 +88,8 @@ impl std::fmt::Debug for RemedyRun {
 }
 
 impl RemedyRun {
-    /// Checks the options and gets ready. They are those of the run that found no plan, whoever
-    /// the solver was; a raised horizon counts as the first one.
+    /// Checks the options and gets ready. They are those of the run that found no plan, whichever
+    /// its solver; a raised horizon counts as the first one.
     ///
     /// # Errors
     ///
@@ -87,7 +105,7 @@ impl RemedyRun {
         }
         options.bounds = options.heeded_bounds();
         options.solver = Solver::Exact;
-        options.pareto = false;
+        options.pairs = false;
         options.limits.expansions = options.limits.expansions.min(MOST_EXPANSIONS);
         let asked = match options.horizon {
             Horizon::Steps(steps) => Some(steps),
@@ -98,12 +116,27 @@ impl RemedyRun {
             problem,
             options,
             asked,
+            proved: false,
+            explored: EXPLORED,
+            parked: None,
             expansions: 0,
             reason: None,
             shortest: None,
             found: Vec::new(),
             complete: false,
         })
+    }
+
+    /// The same after a run that proved that there is no plan ([`Status::Infeasible`]): whether there
+    /// is one is not asked again, and the reason is known as soon as the shortest length is.
+    ///
+    /// [`Status::Infeasible`]: crate::solver::Status::Infeasible
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::Options`].
+    pub fn after_proof(problem: Arc<Problem>, options: Options) -> Result<Self, SolveError> {
+        Ok(Self { proved: true, ..Self::new(problem, options)? })
     }
 
     /// The problem.
@@ -147,6 +180,17 @@ impl RemedyRun {
                     }
                 }
             }
+            Stage::Explore(exploration) => {
+                let mut limits = self.options.limits;
+                let left = limits.expansions.saturating_sub(self.expansions);
+                limits.expansions = self.explored.expansions.min(left);
+                limits.bytes = self.explored.bytes.min(limits.bytes);
+                match exploration.advance(budget, &limits) {
+                    Ok(false) => {}
+                    Ok(true) => self.take_all(),
+                    Err(_) => self.ask_one_by_one(),
+                }
+            }
             Stage::Question(question, engine) => {
                 if let Advance::Finished(finding) = engine.advance(budget)? {
                     let question = *question;
@@ -154,8 +198,16 @@ impl RemedyRun {
                     self.answer(question, finding.plan);
                 }
             }
-            Stage::Horizons(horizons) => {
+            Stage::NextHorizons(horizons) => {
                 if horizons.advance(budget)? {
+                    self.leave_next_horizons();
+                }
+            }
+            Stage::ExploreOn(exploration) => {
+                let mut limits = self.options.limits;
+                limits.expansions = limits.expansions.saturating_sub(self.expansions);
+                if exploration.advance(budget, &limits)? {
+                    self.take_horizons();
                     self.finish(true);
                 }
             }
@@ -166,17 +218,112 @@ impl RemedyRun {
 
     /// What to look at once it is known how far the goal is.
     fn after_shortest(&mut self, shortest: usize) -> Result<Stage, LimitReached> {
+        if self.proved && self.asked.is_none() {
+            self.reason = Some(Reason::Bounds);
+        }
         if let Some(asked) = self.asked {
-            let problem = Arc::clone(&self.problem);
-            let mut joint = JointSpace::new(Arc::clone(&problem), self.options.limits);
+            let mut joint = JointSpace::new(Arc::clone(&self.problem), self.options.limits);
             let start = joint.initial().state;
-            if asked < shortest || !LiveLayers::new(&mut joint, asked)?.contains(0, start) {
+            if asked < shortest || !StatesBySteps::new(&mut joint, asked)?.contains(0, start) {
                 self.reason = Some(Reason::Length);
-                let horizons = Horizons::new(problem, self.rest(), asked, shortest);
-                return Ok(Stage::Horizons(Box::new(horizons)));
+            } else if self.proved {
+                self.reason = Some(Reason::Bounds);
             }
         }
-        Ok(self.ask(None))
+        let problem = Arc::clone(&self.problem);
+        let exploration = Neighbourhood::new(problem, &self.options, self.asked);
+        Ok(Stage::Explore(Box::new(exploration)))
+    }
+
+    /// Everything is known.
+    fn take_all(&mut self) {
+        let Stage::Explore(all) = &self.stage else { return };
+        let bounds = &self.options.bounds;
+        let keeps_k = |adversarial| bounds.at_least.is_none_or(|k| adversarial >= k);
+        let keeps_j = |cooperative| bounds.at_most.is_none_or(|j| cooperative <= j);
+        let counts = all.counts();
+        if counts.iter().any(|it| keeps_k(it.adversarial) && keeps_j(it.cooperative)) {
+            self.reason = None;
+            self.finish(true);
+            return;
+        }
+        self.reason = self.reason.or(Some(Reason::Bounds));
+        let fewer = counts.iter().filter(|it| keeps_j(it.cooperative)).map(|it| it.adversarial);
+        let k = bounds.at_least.and_then(|_| fewer.max());
+        let more = counts.iter().filter(|it| keeps_k(it.adversarial)).map(|it| it.cooperative);
+        let j = bounds.at_most.and_then(|_| more.min());
+        let mut found = Vec::new();
+        if let Some(k) = k {
+            let plan = all.plan(|it| it.adversarial >= k && keeps_j(it.cooperative));
+            found.extend(plan.map(|plan| (Change::AtLeast, k, plan)));
+        }
+        if let Some(j) = j {
+            let plan = all.plan(|it| keeps_k(it.adversarial) && it.cooperative <= j);
+            found.extend(plan.map(|plan| (Change::AtMost, j, plan)));
+        }
+        self.found.append(&mut found);
+        self.take_horizons();
+        self.finish(true);
+    }
+
+    /// Adds the nearest horizons of an exploration that is done, where they are not known.
+    fn take_horizons(&mut self) {
+        let (Stage::Explore(all) | Stage::ExploreOn(all)) = &self.stage else { return };
+        let Some(asked) = self.asked else { return };
+        for plan in all.nearest().into_iter().flatten() {
+            let longer = plan.len() > asked;
+            let same = |found: &&(Change, usize, Plan)| {
+                found.0 == Change::Horizon && (found.1 > asked) == longer
+            };
+            if !self.found.iter().any(|found| same(&found)) {
+                self.found.push((Change::Horizon, plan.len(), plan));
+            }
+        }
+    }
+
+    /// The space is too large to be explored first.
+    fn ask_one_by_one(&mut self) {
+        if let Stage::Explore(exploration) = std::mem::replace(&mut self.stage, Stage::Done) {
+            self.parked = Some(exploration);
+        }
+        match self.reason {
+            Some(Reason::Length) => self.stage = self.next_horizons(),
+            Some(_) => self.answer(None, None),
+            None => self.stage = self.ask(None),
+        }
+    }
+
+    /// The horizons that come after the bounds; the end where none was asked for.
+    fn next_horizons(&self) -> Stage {
+        match (self.asked, self.shortest) {
+            (Some(asked), Some(shortest)) => {
+                let problem = Arc::clone(&self.problem);
+                let horizons = NextHorizons::new(problem, self.rest(), asked, shortest);
+                Stage::NextHorizons(Box::new(horizons))
+            }
+            _ => Stage::Done,
+        }
+    }
+
+    /// Keeps what the next horizons have, and explores the others where a side has no plan yet.
+    fn leave_next_horizons(&mut self) {
+        let asked = self.asked.unwrap_or_default();
+        let sides = [self.shortest.is_some_and(|shortest| shortest < asked), true];
+        let Stage::NextHorizons(horizons) = &self.stage else { return };
+        let open = horizons.found.iter().zip(sides).any(|(plan, open)| open && plan.is_none());
+        self.collect_next_horizons();
+        match self.parked.take() {
+            Some(exploration) if open => self.stage = Stage::ExploreOn(exploration),
+            _ => self.finish(true),
+        }
+    }
+
+    fn collect_next_horizons(&mut self) {
+        if let Stage::NextHorizons(horizons) = std::mem::replace(&mut self.stage, Stage::Done) {
+            self.expansions += horizons.expansions();
+            let plans = horizons.found.into_iter().flatten();
+            self.found.extend(plans.map(|plan| (Change::Horizon, plan.len(), plan)));
+        }
     }
 
     fn ask(&self, question: Question) -> Stage {
@@ -186,8 +333,8 @@ impl RemedyRun {
             Some((Change::AtMost, value)) => options.bounds.at_most = Some(value),
             _ => {}
         }
-        let engine = exact::engine(Arc::clone(&self.problem), &options, self.asked);
-        Stage::Question(question, engine)
+        let engine = Optimiser::new(Arc::clone(&self.problem), &options, self.asked);
+        Stage::Question(question, Box::new(engine))
     }
 
     /// Goes on after the answer to a question: with a smaller k until there is a plan, then with a
@@ -219,55 +366,48 @@ impl RemedyRun {
             self.ask(Some((Change::AtLeast, k - 1)))
         } else if let Some(j) = at_most.filter(|j| *j < most) {
             self.ask(Some((Change::AtMost, j + 1)))
-        } else if let (Some(asked), Some(shortest)) = (self.asked, self.shortest) {
-            let problem = Arc::clone(&self.problem);
-            Stage::Horizons(Box::new(Horizons::new(problem, self.rest(), asked, shortest)))
         } else {
-            self.finish(true);
-            return;
+            self.next_horizons()
         };
-        self.stage = next;
+        if matches!(next, Stage::Done) {
+            self.finish(true);
+        } else {
+            self.stage = next;
+        }
     }
 
     /// The options with what is left of the expansions allowed.
     fn rest(&self) -> Options {
         let mut options = self.options.clone();
-        options.limits.expansions = options.limits.expansions.saturating_sub(self.expansions);
+        options.limits.expansions = options.limits.expansions.saturating_sub(self.done());
         options
     }
 
     fn finish(&mut self, complete: bool) {
         self.complete = complete;
+        self.collect_next_horizons();
         self.expansions = self.done();
-        if let Stage::Horizons(horizons) = std::mem::replace(&mut self.stage, Stage::Done) {
-            let plans = horizons.found.into_iter();
-            self.found.extend(plans.map(|plan| (Change::Horizon, plan.len(), plan)));
-        }
+        (self.stage, self.parked) = (Stage::Done, None);
     }
 
     fn done(&self) -> u64 {
         let stage = match &self.stage {
             Stage::Question(_, engine) => engine.stats().expansions,
-            Stage::Horizons(horizons) => horizons.expansions(),
+            Stage::NextHorizons(horizons) => horizons.expansions(),
+            Stage::Explore(exploration) | Stage::ExploreOn(exploration) => exploration.expansions(),
             Stage::Shortest(_) | Stage::Done => 0,
         };
-        self.expansions + stage
+        self.expansions + stage + self.parked.as_ref().map_or(0, |parked| parked.expansions())
     }
 
     /// How far the work is.
     pub fn progress(&self) -> Progress {
-        Progress {
-            solver: Solver::Exact,
-            done: self.done(),
-            stats: Stats::default(),
-            horizon: match &self.stage {
-                Stage::Horizons(horizons) => horizons.horizon(),
-                _ => self.asked,
-            },
-            goal_difference: None,
-            bound: None,
-            plan: None,
-        }
+        let horizon = match &self.stage {
+            Stage::NextHorizons(horizons) => horizons.horizon(),
+            Stage::Explore(exploration) | Stage::ExploreOn(exploration) => exploration.length(),
+            _ => self.asked,
+        };
+        Progress { done: self.done(), ..Progress::new(Solver::Exact, horizon) }
     }
 
     /// The answer; that of a run stopped before its end keeps the remedies found. Every plan is

@@ -150,6 +150,12 @@ export const glossary = (see: See): Definition[] => [
       much faster.`,
   },
   {
+    ...{ term: "satisficing", name: "Satisficing search" },
+    meaning: html`Takes the first plan within the bounds ${see("k", "k")} and ${see("j", "j")}, or proves that there is
+      none. It begins as ${see("search", "heuristic search")}; where that finds nothing soon, it goes on as
+      ${see("exact", "exact search")} does.`,
+  },
+  {
     ...{ term: "search", name: "Heuristic search", source: "Algorithm 1." },
     meaning: html`Goes first where the true goal seems near, the decoys near for the enemy and far for the friend. It takes
       the first plan within the bounds ${see("k", "k")} and ${see("j", "j")}, which need not be the best.`,

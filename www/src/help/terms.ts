@@ -25,6 +25,7 @@ export type Term =
   | "exact"
   | "integer-program"
   | "encoding"
+  | "satisficing"
   | "search"
   | "baseline"
   | "trade-off"

@@ -1,6 +1,7 @@
 // What a solver's answer means, in words.
 import type { SolveOptions } from "../core.js";
 import type { Result } from "../state/answer.js";
+import type { Solver } from "../state/form.js";
 import { counted } from "../view/numbers.js";
 
 /** In a word or two. What "bounds" are depends on what the solver heeds. */
@@ -21,9 +22,10 @@ export function verdict({ options, outcome }: Result): string {
 
 const both = ({ k, j }: SolveOptions) => (k === undefined && j === undefined ? null : "meets the bounds");
 /** What the solvers that stop at the first plan keep to; null where nothing was asked. */
-const heeded: Record<SolveOptions["solver"], (options: SolveOptions) => string | null> = {
+const heeded: Record<Solver, (options: SolveOptions) => string | null> = {
   exact: both,
   ip: both,
+  satisficing: both,
   search: both,
   obfuscate: ({ k }) => (k === undefined ? null : "meets the enemy’s bound"),
   legible: ({ j }) => (j === undefined ? null : "meets the friend’s bound"),

@@ -21,6 +21,7 @@ export interface Entrant {
 export const entrants: readonly Entrant[] = [
   { title: solvers.exact.title, chosen: { solver: "exact" } },
   { title: "Integer program, belief flow", chosen: { solver: "ip", encoding: "belief-flow" } },
+  { title: solvers.satisficing.title, chosen: { solver: "satisficing" } },
   { title: solvers.search.title, chosen: { solver: "search" } },
   { title: solvers.baseline.title, chosen: { solver: "baseline" } },
   { title: solvers.obfuscate.title, chosen: { solver: "obfuscate" } },

@@ -1,7 +1,7 @@
 // What the person has chosen in the form, as typed, and what of it goes to the core.
 import type { SolveOptions } from "../core.js";
 
-type Solver = SolveOptions["solver"];
+export type Solver = SolveOptions["solver"] | "satisficing";
 type Field = "encoding" | "k" | "j" | "horizon" | "horizonStep";
 
 export interface Form {
@@ -30,9 +30,15 @@ export const solvers: Record<Solver, { title: string; about: string; fields: rea
     about: "Writes all plans of one length as linear inequalities and finds the best of them, with a proof.",
     fields: ["encoding", "k", "j", "horizon", "horizonStep"],
   },
+  satisficing: {
+    title: "Satisficing search",
+    about: "Takes the first plan that keeps to both bounds, or proves that there is none: the one to use with bounds.",
+    fields: ["k", "j", "horizon"],
+  },
   search: {
     title: "Heuristic search",
-    about: "Looks where it seems promising and takes the first plan that keeps to both bounds.",
+    about:
+      "Algorithm 1 of the paper: looks where it seems promising and takes the first plan that keeps to both bounds.",
     fields: ["k", "j", "horizon"],
   },
   baseline: {
@@ -58,7 +64,7 @@ export const reads = (form: Form, field: Field): boolean => solvers[form.solver]
 
 /** The options for the core, or a sentence that says which field can't be read. */
 export function optionsOf(form: Form): SolveOptions | string {
-  const options: SolveOptions = { solver: form.solver };
+  const options: SolveOptions = { solver: form.solver as SolveOptions["solver"] };
   if (reads(form, "encoding")) options.encoding = form.encoding;
   for (const field of ["k", "j", "horizon", "horizonStep"] as const) {
     const text = form[field].trim();

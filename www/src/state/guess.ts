@@ -1,11 +1,12 @@
 // You are the enemy: a plan for a goal that you do not know, seen through the enemy's symbols alone, and a guess.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { BeliefSummary, Scene, Trace, TraceStep } from "../core.js";
+import type { BeliefSummary, Scene, SolveOptions, Trace, TraceStep } from "../core.js";
 import { written } from "../problem/text.js";
 import type { Ending } from "../worker/client.js";
 import { runWithin } from "../worker/patience.js";
 import { TaskRunner } from "../worker/runner.js";
 import type { Boards } from "./boards.js";
+import type { Solver } from "./form.js";
 import type { OpenProblem } from "./open-problem.js";
 import type { Plans } from "./plans.js";
 import type { Timeline } from "./timeline.js";
@@ -66,11 +67,12 @@ export class Guess {
   private async way(document: string): Promise<Ending> {
     const best = await this.patiently(document, "exact");
     if (best.kind !== "solved" || best.outcome.plan !== null || best.outcome.status !== "limit") return best;
-    return this.patiently(document, "search");
+    return this.patiently(document, "satisficing");
   }
 
-  private patiently(document: string, solver: "exact" | "search"): Promise<Ending> {
-    return runWithin(this.hider, { kind: "solve", document, options: { solver } }, { milliseconds: PATIENCE_MS });
+  private patiently(document: string, solver: Solver): Promise<Ending> {
+    const options = { solver: solver as SolveOptions["solver"] };
+    return runWithin(this.hider, { kind: "solve", document, options }, { milliseconds: PATIENCE_MS });
   }
 
   /** Says which goal the agent is after. */

@@ -1,6 +1,6 @@
 //! Draws random Blocksworld problems.
 
-use super::{Draft, below, distinct, halves};
+use super::{Draft, MAX_BELIEF, below, distinct, halves};
 use crate::domain::generate::{Drawn, GenerateError, draw, in_range, random};
 use crate::domain::pddl::Pddl;
 
@@ -12,11 +12,14 @@ pub struct BlocksworldShape {
     pub blocks: u32,
     /// Candidate goals.
     pub goals: u32,
+    /// States in each initial belief, at most: 1 is the initial state alone. Of more, each observer
+    /// has from 1 to this many drawn for itself.
+    pub belief: u32,
 }
 
 impl Default for BlocksworldShape {
     fn default() -> Self {
-        Self { blocks: 5, goals: 5 }
+        Self { blocks: 5, goals: 5, belief: 1 }
     }
 }
 
@@ -38,6 +41,7 @@ impl BlocksworldShape {
         // Of three blocks there are six towers, one of which may stand already.
         let towers = (1..=self.blocks.min(6)).product::<u32>() - 1;
         in_range("goals", self.goals, 2..=towers)?;
+        in_range("belief", self.belief, 1..=MAX_BELIEF)?;
         let mut random = random(seed);
         let names: Vec<String> = ('a'..='z').take(self.blocks as usize).map(String::from).collect();
         // Blocks in random order, each on a random stack or on the table.
@@ -70,6 +74,6 @@ impl BlocksworldShape {
             goals: towers.iter().map(|tower| on(&tower[0])).collect(),
             groups: halves(&names),
         };
-        Ok(Drawn { document: document.document(), redraws: 0 })
+        Ok(Drawn { document: document.document(self.belief, &mut random), redraws: 0 })
     }
 }

@@ -1,6 +1,6 @@
 //! Draws random Driverlog problems.
 
-use super::{Draft, below, distinct, halves, numbered, other_than};
+use super::{Draft, MAX_BELIEF, below, distinct, halves, numbered, other_than};
 use crate::domain::generate::{Drawn, GenerateError, draw, in_range, random};
 use crate::domain::pddl::Pddl;
 
@@ -19,11 +19,14 @@ pub struct DriverlogShape {
     pub packages: u32,
     /// Candidate goals.
     pub goals: u32,
+    /// States in each initial belief, at most: 1 is the initial state alone. Of more, each observer
+    /// has from 1 to this many drawn for itself.
+    pub belief: u32,
 }
 
 impl Default for DriverlogShape {
     fn default() -> Self {
-        Self { places: 3, drivers: 2, trucks: 2, packages: 2, goals: 5 }
+        Self { places: 3, drivers: 2, trucks: 2, packages: 2, goals: 5, belief: 1 }
     }
 }
 
@@ -45,6 +48,7 @@ impl DriverlogShape {
         let pairs = (self.drivers + self.trucks) * (self.drivers + self.trucks - 1) / 2;
         let ways = (self.places - 1).saturating_pow(OTHERS as u32 + self.packages);
         in_range("goals", self.goals, 2..=ways.saturating_mul(pairs).min(1024))?;
+        in_range("belief", self.belief, 1..=MAX_BELIEF)?;
         let mut random = random(seed);
         let places = numbered("s", self.places);
         let paths: Vec<String> =
@@ -90,6 +94,6 @@ impl DriverlogShape {
             goals: goals.iter().map(|goal| goal.iter().map(fact).collect()).collect(),
             groups: [halves(&drivers), halves(&trucks), halves(&packages)].concat(),
         };
-        Ok(Drawn { document: document.document(), redraws: 0 })
+        Ok(Drawn { document: document.document(self.belief, &mut random), redraws: 0 })
     }
 }

@@ -1,6 +1,6 @@
 //! Draws random Logistics problems.
 
-use super::{Draft, below, distinct, halves, numbered, other_than};
+use super::{Draft, MAX_BELIEF, below, distinct, halves, numbered, other_than};
 use crate::domain::generate::{Drawn, GenerateError, draw, in_range, random};
 use crate::domain::pddl::Pddl;
 
@@ -19,11 +19,14 @@ pub struct LogisticsShape {
     pub facts: u32,
     /// Candidate goals.
     pub goals: u32,
+    /// States in each initial belief, at most: 1 is the initial state alone. Of more, each observer
+    /// has from 1 to this many drawn for itself.
+    pub belief: u32,
 }
 
 impl Default for LogisticsShape {
     fn default() -> Self {
-        Self { cities: 2, airplanes: 1, packages: 6, facts: 4, goals: 5 }
+        Self { cities: 2, airplanes: 1, packages: 6, facts: 4, goals: 5, belief: 1 }
     }
 }
 
@@ -43,6 +46,7 @@ impl LogisticsShape {
             .fold(1_u32, |ways, taken| ways.saturating_mul(self.packages - taken) / (taken + 1));
         let goals = (2 * self.cities - 1).saturating_pow(self.facts).saturating_mul(choices);
         in_range("goals", self.goals, 2..=goals.min(1024))?;
+        in_range("belief", self.belief, 1..=MAX_BELIEF)?;
         let mut random = random(seed);
         let places: Vec<String> =
             (1..=self.cities).flat_map(|c| [format!("airport{c}"), format!("place{c}")]).collect();
@@ -94,6 +98,6 @@ impl LogisticsShape {
             goals: goals.iter().map(|goal| goal.iter().map(fact).collect()).collect(),
             groups: [halves(&trucks), halves(&airplanes), halves(&packages)].concat(),
         };
-        Ok(Drawn { document: document.document(), redraws: 0 })
+        Ok(Drawn { document: document.document(self.belief, &mut random), redraws: 0 })
     }
 }

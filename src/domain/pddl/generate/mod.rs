@@ -5,6 +5,7 @@
 //! `stack-a-b` stands for stacking a or b on any block). What it leaves open and what was chosen is
 //! in `docs/domains.md`. Every goal drawn can be reached by construction, so nothing is redrawn.
 
+mod beliefs;
 mod blocksworld;
 mod driverlog;
 mod logistics;
@@ -17,6 +18,9 @@ pub use logistics::LogisticsShape;
 
 use super::{Pddl, PddlGoal, PddlObserver, PddlSensor, PddlText};
 use crate::domain::Observers;
+
+/// The most states that can be drawn for an initial belief.
+const MAX_BELIEF: u32 = 10_000;
 
 /// A drawn problem before it is written down.
 struct Draft {
@@ -36,8 +40,9 @@ struct Draft {
 }
 
 impl Draft {
-    /// The document, with the paper's two sensors and observers who know the initial state.
-    fn document(self) -> Pddl {
+    /// The document, with the paper's two sensors and initial beliefs of at most `belief` states;
+    /// observers with one state know the initial one.
+    fn document(self, belief: u32, random: &mut impl Rng) -> Pddl {
         let Self { domain, text, seed, objects, init, goals, groups } = self;
         let section = |lines: Vec<String>| lines.join("\n    ");
         let problem = format!(
@@ -50,7 +55,7 @@ impl Draft {
             condition: format!("(and {})", facts.join(" ")),
         };
         let observer = |groups, sensor| PddlObserver { initial_belief: None, groups, sensor };
-        Pddl {
+        let mut document = Pddl {
             domain: PddlText::new(text.trim_end()),
             problem: PddlText::new(problem),
             goals: goals.into_iter().enumerate().map(goal).collect(),
@@ -59,7 +64,11 @@ impl Draft {
                 adversarial: observer(Vec::new(), PddlSensor::names()),
                 cooperative: observer(groups, PddlSensor::names_with_groups()),
             },
+        };
+        if belief > 1 {
+            beliefs::draw_beliefs(&mut document, belief, random);
         }
+        document
     }
 }
 

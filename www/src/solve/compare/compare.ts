@@ -68,7 +68,7 @@ function patienceField({ comparison }: Pick<CompareStores, "comparison">): Templ
     </select></label>`;
 }
 
-/** Three of the solvers need bounds: without, the first plan they find is all they say. */
+/** Four of the solvers need bounds: without, the first plan they find is all they say. */
 function suggestion({ comparison }: Pick<CompareStores, "comparison">): TemplateResult | typeof nothing {
   const bounds = comparison.suggested.value;
   if (bounds === null) return nothing;
@@ -78,7 +78,8 @@ function suggestion({ comparison }: Pick<CompareStores, "comparison">): Template
   return html`<div class="hint">
     <label><input type="checkbox" .checked=${live(comparison.bounded.value)} @change=${choose} />
       Ask for what the best plan reaches: k = ${bounds.k}, j = ${bounds.j}</label>
-    <small>Without bounds, heuristic search, obfuscate and legible have nothing to keep to and take the first plan they find.</small>
+    <small>Without bounds, satisficing and heuristic search, obfuscate and legible have nothing to keep to and take the first
+      plan they find.</small>
   </div>`;
 }
 

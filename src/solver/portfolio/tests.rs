@@ -1,0 +1,105 @@
+//! Small problems end within the nodes of Algorithm 1, so here it has few or none of them.
+
+use super::*;
+use crate::problem::Role;
+use crate::solver::Solver;
+use crate::solver::common::random::{self, MEDIUM, PAIR};
+use crate::solver::common::{Dice, Judge, Wish, oracle};
+
+/// Runs a portfolio to its end, `budget` at a time: its plan, and whether the optimiser had a turn.
+fn run(
+    judge: &Judge,
+    nodes: u64,
+    horizon: Option<usize>,
+    wish: &Wish,
+    budget: u64,
+) -> (Option<Plan>, bool) {
+    let options = Judge::options(Solver::Satisficing, horizon, wish);
+    let problem = Arc::clone(&judge.problem);
+    let mut portfolio = Portfolio::with_greedy_nodes(nodes, problem, &options, horizon);
+    let mut exact = false;
+    for _ in 0..100_000 {
+        exact |= matches!(portfolio.stage, Stage::Optimiser(_));
+        match portfolio.advance(budget).unwrap() {
+            Advance::Working => {}
+            Advance::Finished(Finding { status, plan, .. }) => {
+                let found = if plan.is_some() { Status::Solved } else { Status::Infeasible };
+                assert_eq!(status, found);
+                return (plan, exact);
+            }
+        }
+    }
+    panic!("no end");
+}
+
+/// Whether the optimiser had a turn; the answer is that of plain enumeration.
+fn agrees(dice: &mut Dice, judge: &Judge, horizon: Option<usize>, wish: &Wish) -> bool {
+    let possible = match horizon {
+        None => judge.endings().keys().any(|ending| wish.allows(&judge.table, ending)),
+        Some(steps) => {
+            let endings = oracle::enumerate(&judge.table, steps);
+            endings.iter().any(|ending| wish.allows(&judge.table, ending))
+        }
+    };
+    let nodes = dice.pick(&[0, 1, 3, 10]);
+    let (plan, exact) = run(judge, nodes, horizon, wish, 1);
+    assert_eq!(plan.is_some(), possible, "{nodes} {horizon:?} {wish:?}");
+    if let Some(plan) = &plan {
+        assert!(wish.allows(&judge.table, &judge.ending(plan)));
+        assert!(horizon.is_none_or(|horizon| horizon == plan.len()));
+    }
+    for budget in [2, 7, u64::MAX] {
+        assert_eq!(run(judge, nodes, horizon, wish, budget), (plan.clone(), exact));
+    }
+    exact
+}
+
+#[test]
+fn over_all_lengths_a_plan_is_found_exactly_when_there_is_one() {
+    let mut dice = Dice::new(80);
+    let mut exact = 0;
+    for round in 0..4_000 {
+        let third = [Role::Adversarial, Role::Cooperative, Role::Cooperative];
+        let roles = if round % 8 == 0 { &third[..] } else { &PAIR[..] };
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, roles), 0);
+        let wish = random::wish(&mut dice, &judge.table);
+        exact += usize::from(agrees(&mut dice, &judge, None, &wish));
+    }
+    assert!(exact > 1_000, "{exact}");
+}
+
+#[test]
+fn at_a_horizon_a_plan_is_found_exactly_when_there_is_one() {
+    let mut dice = Dice::new(81);
+    let mut exact = 0;
+    for _ in 0..4_000 {
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, &PAIR), 0);
+        let wish = random::wish(&mut dice, &judge.table);
+        let horizon = random::horizon(&mut dice, &judge.table, 300);
+        exact += usize::from(agrees(&mut dice, &judge, Some(horizon), &wish));
+    }
+    assert!(exact > 1_000, "{exact}");
+}
+
+#[test]
+fn after_a_limit_of_the_optimiser_algorithm_1_goes_on() {
+    let mut dice = Dice::new(82);
+    let mut alone = 0;
+    for _ in 0..300 {
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, &PAIR), 0);
+        let wish = random::wish(&mut dice, &judge.table);
+        let options = Judge::options(Solver::Satisficing, None, &wish);
+        let problem = Arc::clone(&judge.problem);
+        let mut portfolio = Portfolio::with_greedy_nodes(0, problem, &options, None);
+        portfolio.options.limits.expansions = 1;
+        let finding = loop {
+            if let Advance::Finished(finding) = portfolio.advance(1).unwrap() {
+                break finding;
+            }
+        };
+        alone += usize::from(matches!(portfolio.stage, Stage::GreedyAlone(_)));
+        let possible = judge.endings().keys().any(|ending| wish.allows(&judge.table, ending));
+        assert_eq!(finding.plan.is_some(), possible);
+    }
+    assert!(alone > 50, "{alone}");
+}

@@ -1,0 +1,44 @@
+//! The validator: whether a plan solves a problem, and what it achieves.
+
+use thiserror::Error;
+
+use super::Replay;
+use crate::goal_difference::GoalSet;
+use crate::plan::{Plan, PlanError};
+use crate::problem::{Problem, SurvivorCounts};
+
+/// What a plan achieves.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Achievement {
+    /// The goals that survive for each observer at the end.
+    pub survivors: Vec<GoalSet>,
+    /// How many survive for each side.
+    pub counts: SurvivorCounts,
+}
+
+/// Why a plan is no solution.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum InvalidPlan {
+    /// A step cannot be carried out.
+    #[error(transparent)]
+    Step(#[from] PlanError),
+    /// The true goal does not hold at the end.
+    #[error("the plan ends in a state without the true goal")]
+    MissesGoal,
+}
+
+/// Replays a plan, keeping nothing but what it achieves.
+///
+/// # Errors
+///
+/// [`InvalidPlan`] when the plan does not solve the task.
+pub fn validate(problem: &Problem, plan: &Plan) -> Result<Achievement, InvalidPlan> {
+    let mut replay = Replay::new(problem, plan)?;
+    if !replay.reaches_goal() {
+        return Err(InvalidPlan::MissesGoal);
+    }
+    while replay.step().is_some() {}
+    let survivors = replay.survivors();
+    let counts = problem.survivor_counts(&survivors);
+    Ok(Achievement { survivors, counts })
+}
