@@ -140,3 +140,13 @@ export function delivery(counts: readonly number[], deliver: number): string {
     },
   });
 }
+
+/** As many candidate goals as a problem may have, on the largest grid. */
+export function manyGoals(count = 1024): string {
+  const size = 32;
+  const goals = Array.from({ length: count }, (_, index) => ({
+    name: `G${index + 1}`,
+    cell: [(index * 7 + 5) % size, (Math.floor(index / size) + 11) % size],
+  }));
+  return grid({ width: size, height: size, walls: [], start: [0, 31], goals, true_goal: "G40" });
+}

@@ -4,6 +4,7 @@ import { guard } from "lit/directives/guard.js";
 import { newGrid } from "../problem/new-grid.js";
 import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
+import { isWhole } from "../view/long-list.js";
 import { deliveryForm } from "./delivery-form.js";
 import type { FieldStores } from "./fields.js";
 import { gridForm } from "./grid-form.js";
@@ -22,7 +23,7 @@ export function editPanel(playground: EditPanelStores): TemplateResult {
   } = playground;
   const note = editing.note.value;
   // Steps come and go many times a second; they change nothing here.
-  const form = guard([latest, editing.fault.value, note], () => {
+  const form = guard([latest, editing.fault.value, note, isWhole(editing)], () => {
     if (latest?.format === "gridworld") return gridForm(playground, latest);
     if (latest?.format === "delivery") return deliveryForm(playground, latest);
     if (latest?.format === "box-pushing" || latest?.format === "recycling-robot") return poseForm(playground, latest);

@@ -3,16 +3,26 @@ import { html, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { addGoal, chooseTrueGoal, removeGoal, renameGoal } from "../problem/grid-goals.js";
 import type { FloorDocument } from "../problem/types.js";
+import { inTurns } from "../view/in-turns.js";
+import { longList } from "../view/long-list.js";
 import { attempt, type FieldStores, faultText, textField } from "./fields.js";
 import { cross } from "./icons.js";
 
 export function goalsForm(playground: FieldStores, document: FloorDocument): TemplateResult {
+  const list = longList(playground.editing, document.goals, "goals", ({ name }) => name === document.true_goal);
   return html`<fieldset>
     <legend>Candidate goals</legend>
     <small>The enemy and the friend know them all; only the agent knows which one is true.</small>
     <ul class="entries">
-      ${document.goals.map(
-        ({ name, cell: [column, row] }, index) => html`<li>
+      ${inTurns(
+        list.shown,
+        ({
+          item: {
+            name,
+            cell: [column, row],
+          },
+          index,
+        }) => html`<li>
           <label class="check">
             <input type="radio" name=${`${playground.workbench.id}-true-goal`} .checked=${live(name === document.true_goal)} aria-label=${`${name} is the true goal`}
               @change=${() => attempt(playground, "goals", chooseTrueGoal(document, index))} />
@@ -33,6 +43,7 @@ export function goalsForm(playground: FieldStores, document: FloorDocument): Tem
         </li>`,
       )}
     </ul>
+    ${list.more}
     ${faultText(playground, "goals")}
     <div class="actions">
       <button type="button" @click=${() => attempt(playground, "goals", addGoal(document))}>Add a goal</button>

@@ -6,6 +6,8 @@ import type { Guess, Round } from "../state/guess.js";
 import type { Timeline } from "../state/timeline.js";
 import type { Workbench } from "../state/workbench.js";
 import { brief, named, visible } from "../view/names.js";
+import { inTurns } from "../view/in-turns.js";
+import { longList } from "../view/long-list.js";
 
 export interface GuessPanelStores {
   guess: Guess;
@@ -37,6 +39,7 @@ function body(playground: GuessPanelStores, game: Guess, round: Round): Template
     return html`<p>No goal of this problem can be reached: there is nothing to guess.</p>`;
   if (round.kind === "over") return html`<div role="status">${told(round)}</div>`;
   const goals = playground.boards.scene.value?.goals ?? [];
+  const list = longList(game, goals, "goals");
   const { step, lastStep } = playground.timeline;
   return html`<p>
       Step forward to hear what the enemy is told. Its board shows where the agent could be.
@@ -44,8 +47,9 @@ function body(playground: GuessPanelStores, game: Guess, round: Round): Template
     </p>
     <p id="${playground.workbench.id}-guess">Which goal is it after?</p>
     <ul class="next ${goals.length > 12 ? "many" : ""}" aria-labelledby="${playground.workbench.id}-guess">
-      ${goals.map(({ name }) => html`<li><button type="button" title=${named(name)} @click=${() => game.guess(name)}>${visible(name)}</button></li>`)}
-    </ul>`;
+      ${inTurns(list.shown, ({ item: { name } }) => html`<li><button type="button" title=${named(name)} @click=${() => game.guess(name)}>${visible(name)}</button></li>`)}
+    </ul>
+    ${list.more}`;
 }
 
 function told({ guess, goal, step, possible }: Extract<Round, { kind: "over" }>): TemplateResult {

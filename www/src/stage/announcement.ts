@@ -24,6 +24,9 @@ const QUIET_MS = 250;
 /** So many steps a second can be said while they are played. */
 const SAID_A_SECOND = 1.5;
 
+/** More names than these are a number. */
+const MOST_NAMED = 12;
+
 /** Says where one has come to, once one has come to rest. */
 export class Announcer {
   readonly said: ReadonlySignal<string>;
@@ -80,6 +83,7 @@ function part(role: Role, shown: TraceStep): string {
 
 function survive(goals: readonly string[]): string {
   if (goals.length === 0) return "no goal survives at this step";
+  if (goals.length > MOST_NAMED) return `${goals.length} goals survive`;
   if (goals.length === 1) return `goal ${named(goals[0] ?? "")} survives`;
   return `goals ${goals.slice(0, -1).map(named).join(", ")} and ${named(goals.at(-1) ?? "")} survive`;
 }

@@ -15,19 +15,32 @@ export interface GoalView {
 /** While a goal is being guessed no scene says which is the true one, and no step what the friend knows. */
 export const isGuessedAt = (scene: Scene): boolean => scene.true_goal === "";
 
-export function goalViews(scene: Scene, step: TraceStep): GoalView[] {
+type Attribute = GoalView["attributes"][Role];
+
+export const isKnown = (attribute: Attribute): attribute is "alive" | "dead" => attribute !== nothing;
+
+/** The goals of a step are asked for by every view. */
+const known = new WeakMap<TraceStep, { scene: Scene; goals: GoalView[] }>();
+
+export function goalViews(scene: Scene, step: TraceStep): readonly GoalView[] {
+  const found = known.get(step);
+  if (found?.scene === scene) return found.goals;
+  const goals = viewed(scene, step);
+  known.set(step, { scene, goals });
+  return goals;
+}
+
+function viewed(scene: Scene, step: TraceStep): GoalView[] {
   const secret = isGuessedAt(scene);
+  const alive = { adversarial: new Set(step.goals.adversarial), cooperative: new Set(step.goals.cooperative) };
+  const word = (lives: boolean) => (lives ? "alive" : "dead");
   return scene.goals.map(({ name }) => {
-    const alive = {
-      adversarial: step.goals.adversarial.includes(name),
-      cooperative: step.goals.cooperative.includes(name),
-    };
-    const word = (lives: boolean) => (lives ? "alive" : "dead");
+    const lives = { adversarial: alive.adversarial.has(name), cooperative: alive.cooperative.has(name) };
     return {
       name,
       isTrue: name === scene.true_goal,
-      alive,
-      attributes: { adversarial: word(alive.adversarial), cooperative: secret ? nothing : word(alive.cooperative) },
+      alive: lives,
+      attributes: { adversarial: word(lives.adversarial), cooperative: secret ? nothing : word(lives.cooperative) },
     };
   });
 }

@@ -7,6 +7,8 @@ import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { named } from "../view/names.js";
+import { inTurns } from "../view/in-turns.js";
+import { longList } from "../view/long-list.js";
 import { called, type Role, roles } from "../view/observers.js";
 import { isDelivery } from "./delivery/facts.js";
 import { type GoalView, goalViews } from "./goal-attributes.js";
@@ -30,6 +32,8 @@ export function goalList(playground: GoalListStores): TemplateResult | "" {
     return words === "" ? "" : html`<span class="asked">${words}</span>`;
   };
   const guessing = playground.boards.mode.value === "guess";
+  const list = longList(playground.boards, goalViews(scene, shown.value), "goals", ({ isTrue }) => isTrue);
+  const known = !guessing && playground.boards.difference.value !== null;
   const shownRoles = guessing ? roles.filter((role) => role === "adversarial") : roles;
   return html`<table class="goals">
     <caption>Which ${glossaryLink("candidate-goal", "goals")} are ${glossaryLink("possible", "possible")}?</caption>
@@ -40,8 +44,9 @@ export function goalList(playground: GoalListStores): TemplateResult | "" {
       </tr>
     </thead>
     <tbody>
-      ${goalViews(scene, shown.value).map(
-        (goal, index) => html`<tr data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
+      ${inTurns(
+        list.shown,
+        ({ item: goal, index }) => html`<tr data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
           data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
           <th scope="row">
             ${
@@ -53,11 +58,12 @@ export function goalList(playground: GoalListStores): TemplateResult | "" {
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
             ${asked(index)}
           </th>
-          ${shownRoles.map((role) => survival(role, goal, guessing || playground.boards.difference.value === null ? undefined : ends[index]))}
+          ${shownRoles.map((role) => survival(role, goal, known ? ends[index] : undefined))}
         </tr>`,
       )}
     </tbody>
   </table>
+  ${list.more}
   <p class="story" role="status">${guessing ? "" : playground.boards.story.sentence.value || "Choose a goal to see when it dies, and by which symbol."}</p>`;
 }
 

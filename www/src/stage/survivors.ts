@@ -6,6 +6,8 @@ import { visible } from "../problem/unseen.js";
 import type { Boards } from "../state/boards.js";
 import { possible, ruledOut, star } from "../view/icons.js";
 import { named } from "../view/names.js";
+import { inTurns } from "../view/in-turns.js";
+import { longList } from "../view/long-list.js";
 import { wholeNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
 import { stateCount } from "./belief-size.js";
@@ -20,12 +22,10 @@ export interface SurvivorStores {
 /** More goals than these are a list to scroll. */
 const MANY = 12;
 
-export function survivors(
-  role: Role,
-  { scene, shown }: BoardInput,
-  { boards: { story, mode } }: SurvivorStores,
-): TemplateResult {
+export function survivors(role: Role, { scene, shown }: BoardInput, { boards }: SurvivorStores): TemplateResult {
+  const { story, mode } = boards;
   const goals = goalViews(scene, shown);
+  const list = longList(boards, goals, "goals", ({ isTrue }) => isTrue);
   const count = goals.filter((goal) => goal.alive[role]).length;
   const states = stateCount(shown, role);
   const noun = isGrid(scene) ? "place" : "state";
@@ -33,13 +33,15 @@ export function survivors(
       ${glossaryLink("belief", "Believes")} in <b>${wholeNumber(states)}</b> ${noun}${states === 1 ? "" : "s"}: <b>${count}</b> of ${goals.length} goals ${glossaryLink("possible", "possible")}
     </p>
     <ul class="survivors ${goals.length > MANY ? "many" : ""}" tabindex=${goals.length > MANY ? 0 : nothing} aria-label="Goals for the ${called[role]}">
-      ${goals.map(
-        (goal) => html`<li class=${goal.alive[role] ? "alive" : "dead"} data-goal=${goal.name}
+      ${inTurns(
+        list.shown,
+        ({ item: goal }) => html`<li class=${goal.alive[role] ? "alive" : "dead"} data-goal=${goal.name}
           data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
           ?data-true-goal=${goal.isTrue} title="${named(goal.name)}: show when it dies" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
           ${goal.alive[role] ? possible : ruledOut}<span class="name">${visible(goal.name)}</span>${goal.isTrue ? star : ""}
           <span class="unseen">${goal.alive[role] ? "possible" : "not possible now"}</span>
         </li>`,
       )}
-    </ul>`;
+    </ul>
+    ${list.more}`;
 }

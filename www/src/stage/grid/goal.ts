@@ -4,19 +4,22 @@
 
 import { nothing, svg } from "lit";
 import { visible } from "../../problem/unseen.js";
-import { type Place, placeOf } from "../../view/goal-place.js";
+import { type Place, placesOf } from "../../view/goal-place.js";
 import { starPath } from "../../view/icons.js";
 import { named } from "../../view/names.js";
 import type { BoardName } from "../board-input.js";
 import type { GoalView } from "../goal-attributes.js";
 import { goalInWords, marks } from "../goal-marks.js";
 import type { Cell } from "./cells.js";
+import { goalLayer, MANY_GOALS } from "./goal-layer.js";
 
 const LONGEST_LABEL = 3;
 
 /** The marks of all goals: those that share a cell stand side by side in it, and the true goal is on top of all. */
 export function goalMarks(board: BoardName, goals: readonly GoalView[], cells: readonly Cell[], scale: number) {
-  const placed = goals.map((goal, index) => ({ goal, place: placeOf(cells, index, scale) }));
+  const places = placesOf(cells, scale);
+  if (goals.length > MANY_GOALS) return svg`<g ${goalLayer({ board, goals, places })}></g>`;
+  const placed = goals.map((goal, index) => ({ goal, place: places[index] ?? { x: 0, y: 0, scale } }));
   return [...placed.filter(({ goal }) => !goal.isTrue), ...placed.filter(({ goal }) => goal.isTrue)].map(
     ({ goal, place }) => goalMark(board, goal, place),
   );
