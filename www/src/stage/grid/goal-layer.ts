@@ -63,12 +63,23 @@ class GoalLayer extends AsyncDirective {
   }
 }
 
-function made(): Badge {
-  const create = <Name extends keyof SVGElementTagNameMap>(name: Name) => document.createElementNS(NAMESPACE, name);
-  const [group, title, badge] = [create("g"), create("title"), create("rect")];
+const create = <Name extends keyof SVGElementTagNameMap>(name: Name) => document.createElementNS(NAMESPACE, name);
+
+function pattern(): SVGGElement {
+  const [group, badge] = [create("g"), create("rect")];
   const box = { class: "badge", x: "-0.35", y: "-0.27", width: "0.7", height: "0.54", rx: "0.16" };
   for (const [name, value] of Object.entries(box)) badge.setAttribute(name, value);
-  group.append(title, badge);
+  group.append(badge);
+  return group;
+}
+
+let first: SVGGElement | undefined;
+
+function made(): Badge {
+  first ??= pattern();
+  const group = first.cloneNode(true) as SVGGElement;
+  const title = create("title");
+  group.prepend(title);
   return { group, title, look: "" };
 }
 
