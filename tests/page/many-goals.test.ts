@@ -18,8 +18,9 @@ const goalsShown = (page: Page, step: string | null, listed = LISTED) =>
   page.waitForFunction(
     ([count, wanted, rowsWanted]) => {
       const element = document.querySelector<HTMLElement>("mo-copp-playground");
-      const rows = document.querySelectorAll(".goals [data-goal]").length;
-      const badges = document.querySelectorAll("[data-board] [data-goal]").length;
+      const shown = (selector: string) => element?.shadowRoot?.querySelectorAll(selector).length;
+      const rows = shown(".goals [data-goal]");
+      const badges = shown("[data-board] [data-goal]");
       return element?.dataset.step === wanted && rows === rowsWanted && badges === 3 * Number(count);
     },
     [GOALS, step, listed] as const,

@@ -5,9 +5,9 @@ import type { Boards } from "../state/boards.js";
 import type { Guess, Round } from "../state/guess.js";
 import type { Timeline } from "../state/timeline.js";
 import type { Workbench } from "../state/workbench.js";
-import { brief, named, visible } from "../view/names.js";
 import { inTurns } from "../view/in-turns.js";
 import { longList } from "../view/long-list.js";
+import { brief, named, visible } from "../view/names.js";
 
 export interface GuessPanelStores {
   guess: Guess;

@@ -4,6 +4,7 @@ import { noChange } from "lit";
 import { AsyncDirective } from "lit/async-directive.js";
 import { directive, type ElementPart } from "lit/directive.js";
 import type { Place } from "../../view/goal-place.js";
+import { named } from "../../view/names.js";
 import type { BoardName } from "../board-input.js";
 import { type GoalView, isKnown } from "../goal-attributes.js";
 import { goalInWords } from "../goal-marks.js";
@@ -88,7 +89,7 @@ function show(badge: Badge, { board, goals, places }: GoalsDrawn, index: number)
   const [goal, place] = [goals[index], places[index]];
   if (goal === undefined || place === undefined) return;
   const { x, y, scale } = place;
-  const words = `${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}`;
+  const words = `${named(goal.name)}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}`;
   const look = `${words} ${x} ${y} ${scale}`;
   if (look === badge.look) return;
   badge.look = look;
