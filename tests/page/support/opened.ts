@@ -30,7 +30,7 @@ export const opened = (
 
 /** Makes a document of the problem by an edit, as the page's own controls do. */
 export const edit = (page: Page, document: string): Promise<unknown> =>
-  page.evaluate(`document.querySelector("mo-copp-playground").playground.edits.apply(${document})`);
+  page.evaluate(`document.querySelector("mo-copp-playground").view.playground.edits.apply(${document})`);
 
 /** What a button saves as a file. */
 export async function saved(page: Page, button: string, group = ""): Promise<{ name: string; text: string }> {
