@@ -18,9 +18,9 @@ const goalsShown = (page: Page, step: string | null, listed = LISTED) =>
   page.waitForFunction(
     ([count, wanted, rowsWanted]) => {
       const element = document.querySelector<HTMLElement>("mo-copp-playground");
-      const shown = (selector: string) => (element?.shadowRoot ?? element)?.querySelectorAll(selector).length;
-      const rows = shown(".goals [data-goal]");
-      const badges = shown("[data-board] [data-goal]");
+      const root = element?.shadowRoot ?? element;
+      const rows = root?.querySelectorAll(".goals [data-goal]").length;
+      const badges = root?.querySelectorAll("[data-board] [data-goal]").length;
       return element?.dataset.step === wanted && rows === rowsWanted && badges === 3 * Number(count);
     },
     [GOALS, step, listed] as const,
