@@ -2,6 +2,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { documentation } from "./scripts/documentation/plugin.mjs";
 import { stylesInElement } from "./scripts/page/styles.mjs";
+import { thirdParty } from "./scripts/third-party/plugin.mjs";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -17,13 +18,16 @@ function policyInBuildOnly(): Plugin {
 /** Other pages load the element by this name. */
 const EMBED = "mo-copp-playground";
 
+/** The licences of what others wrote and the page is made of. */
+const licences = thirdParty();
+
 export default defineConfig({
   root: here("www"),
   // Relative addresses: the page works under any sub-path.
   base: "./",
-  plugins: [policyInBuildOnly(), stylesInElement(), documentation()],
+  plugins: [policyInBuildOnly(), stylesInElement(), documentation(), licences.page],
   // One script that is a module worker on its own host and a classic one elsewhere.
-  worker: { format: "iife" },
+  worker: { format: "iife", plugins: () => [licences.worker] },
   build: {
     outDir: here("dist"),
     emptyOutDir: true,

@@ -1,27 +1,32 @@
-// Times the solvers in wasm under Node, on the problems of the first lines of `cargo bench`:
+// Times the solvers in wasm under Node beside the same solvers of the command, on the problems of the first lines of
+// `cargo bench` and on the paper's planning domains:
 //   node benches/node.mjs
-// Needs what `npm run setup` installs and `cargo build --release` (for the problems).
+// Needs what `npm run setup` installs and `cargo build --release`. MO_COPP_NODE_BUILT=1 takes the package that is there.
 import { execFileSync } from "node:child_process";
 import { createRequire } from "node:module";
-import { dirname, join } from "node:path";
-import { fileURLToPath } from "node:url";
+import { buildForNode } from "../scripts/lib/build-wasm.mjs";
+import { inRoot, root } from "../scripts/lib/paths.mjs";
 
-const root = join(dirname(fileURLToPath(import.meta.url)), "..");
-const path = `${join(root, "node_modules/.bin")}:${join(root, ".tools/bin")}:${process.env.PATH}`;
-const run = (command, ...args) =>
-  execFileSync(command, args, {
-    cwd: root,
-    env: { ...process.env, PATH: path },
-    encoding: "utf8",
-    stdio: ["ignore", "pipe", "ignore"],
-  });
+const command = inRoot("target", "release", "mo-copp");
+const folder = inRoot("target", "node");
+const run = (program, args, input) => {
+  try {
+    return execFileSync(program, args, { cwd: root, encoding: "utf8", input, stdio: ["pipe", "pipe", "ignore"] });
+  } catch (error) {
+    // A limit is told by the exit code; the answer is there all the same.
+    if (error.stdout) return error.stdout;
+    throw error;
+  }
+};
 
-if (!process.env.MO_COPP_NODE_BUILT)
-  run("wasm-pack", "build", "--target", "nodejs", "--out-dir", "target/node", "--profile", "wasm-release");
-const { Problem } = createRequire(import.meta.url)(join(root, "target/node/mo_copp.js"));
+if (!process.env.MO_COPP_NODE_BUILT && (await buildForNode(folder)) !== 0) process.exit(1);
+const { Problem } = createRequire(import.meta.url)(inRoot("target", "node", "mo_copp.js"));
 
-const generate = (seed, ...size) =>
-  run("target/release/mo-copp", "generate", "gridworld", "--seed", String(seed), ...size);
+const generate = (seed, ...size) => run(command, ["generate", "gridworld", "--seed", String(seed), ...size]);
+const draw = (domain, seed) => {
+  const text = run(command, ["generate", domain, "--seed", String(seed)]);
+  return { text, problem: new Problem(text) };
+};
 
 function answer(problem, options, budget = Infinity) {
   const begin = performance.now();
@@ -47,10 +52,22 @@ function atHorizon(count, horizons, ...size) {
 const median = (times) => times.slice().sort((a, b) => a - b)[Math.floor(times.length / 2)];
 
 function line(name, repeats, problems, options, budget) {
-  report(name, repeats, problems, ({ problem, horizon }) => answer(problem, options(horizon), budget));
+  const work = ({ problem, horizon }) => answer(problem, options(horizon), budget);
+  // What is cut off here would go on there.
+  const beside = budget === undefined ? ({ text, horizon }) => native(text, options(horizon)) : null;
+  report(name, repeats, problems, work, beside);
 }
 
-function report(name, repeats, cases, work) {
+/** What the command takes for the same, by its own clock, in milliseconds. */
+function native(text, options) {
+  const args = Object.entries(options).flatMap(([name, value]) => [`--${name}`, String(value)]);
+  const times = [1, 2, 3].map(() => JSON.parse(run(command, ["solve", "-", "--json", ...args], text)).stats.seconds);
+  return median(times) * 1000;
+}
+
+const ratios = [];
+
+function report(name, repeats, cases, work, beside = null) {
   const times = [];
   const statuses = {};
   for (const one of cases) {
@@ -65,19 +82,29 @@ function report(name, repeats, cases, work) {
     statuses[status] = (statuses[status] ?? 0) + 1;
   }
   const said = Object.entries(statuses).map(([status, count]) => `${count} ${status}`);
+  // All problems of the line together: one alone may take less than the clock tells.
+  const sum = (all) => all.reduce((total, one) => total + one, 0);
+  const ratio = beside === null ? null : sum(times) / sum(cases.map(beside));
+  if (ratio !== null) ratios.push(ratio);
+  const column = (time) => `${time.toFixed(3).padStart(11)} ms`;
   console.log(
-    `${name.padEnd(34)} ${median(times).toFixed(3).padStart(11)} ms ${Math.max(...times)
-      .toFixed(3)
-      .padStart(11)} ms   ${said.join(", ")}`,
+    `${name.padEnd(34)} ${column(median(times))} ${column(Math.max(...times))} ${(ratio?.toFixed(2) ?? "–").padStart(8)}   ${said.join(", ")}`,
   );
 }
 
-console.log(`${"work".padEnd(34)} ${"median".padStart(14)} ${"worst".padStart(14)}`);
+console.log(`${"work".padEnd(34)} ${"median".padStart(14)} ${"worst".padStart(14)} ${"× native".padStart(8)}`);
 const eight = atHorizon(30, [12, 14]);
 line("exact, 8x8, T = 12 or 14", 21, eight, (horizon) => ({ solver: "exact", horizon }));
 line("exact, 8x8, all horizons", 21, eight, () => ({ solver: "exact", horizon: "any" }));
 line("belief-flow, 8x8, T = 12 or 14", 3, eight, (horizon) => ({ solver: "ip", horizon }));
 line("search, 8x8, k = 2, j = 2", 5, eight, () => ({ solver: "search", k: 2, j: 2 }));
+
+const ten = (domain) => Array.from({ length: 10 }, (_, seed) => draw(domain, seed + 1));
+const domains = ["box-pushing", "driverlog", "logistics"].map((domain) => [domain, ten(domain)]);
+for (const [domain, problems] of domains) line(`exact, ${domain}`, 1, problems, () => ({ solver: "exact" }));
+for (const [domain, problems] of domains) {
+  line(`search, ${domain}, k = 2, j = 2`, 1, problems, () => ({ solver: "search", k: 2, j: 2 }));
+}
 
 // What the page's editor makes at its largest, as in benches/solvers.rs.
 const largest = [];
@@ -125,3 +152,5 @@ drag(
 );
 const four = atHorizon(10, [6, 7], "--width", "4", "--height", "4", "--belief", "4");
 line("paper, 4x4, T = 6 or 7", 1, four, (horizon) => ({ solver: "ip", encoding: "paper", horizon }));
+
+console.log(`wasm to native: median ${median(ratios).toFixed(2)}, worst ${Math.max(...ratios).toFixed(2)}`);

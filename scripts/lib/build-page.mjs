@@ -3,4 +3,5 @@ import { buildSingle } from "../page/single.mjs";
 import { run } from "./run.mjs";
 
 /** Resolves to the exit code. */
-export const buildPage = async () => (await run("vite", ["build", "--logLevel", "warn"])) || buildSingle();
+export const buildPage = async (options) =>
+  (await run("vite", ["build", "--logLevel", "warn"], options)) || buildSingle(options);

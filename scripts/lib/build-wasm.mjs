@@ -1,68 +1,113 @@
-// The Rust core, built for the browser: the full one into www/pkg, and the light one, with which the page begins, into
-// www/pkg-light. Nothing is done while what they are made from has not changed: cargo would see that too, but wasm-opt
-// would run again each time.
+// The Rust core, built for the browser: the full one into www/pkg, built for speed, and the light one, with which the
+// page begins, into www/pkg-light, built for size. Each is three steps: cargo, wasm-bindgen, wasm-opt. Nothing is done
+// while what a package is made from has not changed: cargo would see that too, but wasm-opt would run again each time.
 import { createHash } from "node:crypto";
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join, relative } from "node:path";
-import { inRoot, lightWasmPackage, root, tools, wasmPackage } from "./paths.mjs";
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { homedir } from "node:os";
+import { join } from "node:path";
+import { wasmTarget } from "../setup/rust.mjs";
+import { filesUnder } from "./files-under.mjs";
+import { fromRoot, inRoot, lightWasmPackage, root, tools, wasmPackage } from "./paths.mjs";
 import { read, run } from "./run.mjs";
 
+/** What every browser with module workers knows, as does rustc's default for the target. */
+const features = [
+  "--enable-bulk-memory",
+  "--enable-nontrapping-float-to-int",
+  "--enable-sign-ext",
+  "--enable-mutable-globals",
+  "--enable-reference-types",
+  "--enable-multivalue",
+];
+
 const packages = [
-  { name: "full wasm package", file: "mo_copp", folder: wasmPackage, stamp: "wasm-made-from", cargo: [], env: {} },
+  {
+    name: "full wasm package",
+    file: "mo_copp",
+    folder: wasmPackage,
+    profile: "wasm-fast",
+    cargo: [],
+    optimiser: ["-O3", "--strip-producers", ...features],
+  },
   {
     name: "light wasm package",
     file: "mo_copp_light",
     folder: lightWasmPackage,
-    stamp: "light-wasm-made-from",
+    profile: "wasm-small",
     cargo: ["--no-default-features"],
-    // A folder of its own, so that the two are built side by side.
-    env: { CARGO_TARGET_DIR: inRoot("target", "light") },
+    optimiser: ["-Oz", "-ocimfs", "0", "-fimfs", "0", "--converge", "--strip-producers", ...features],
   },
 ];
 
-const argsOf = ({ file, folder, cargo }) => [
-  "build",
-  ...["--target", "web", "--out-dir", relative(root, folder), "--out-name", file, "--profile", "wasm-release"],
-  // What wasm-pack writes for publishing (its .gitignore too) would only be in the way.
-  ...["--no-pack", "--no-gitignore"],
-  // Every tool is there by now; this one must not fetch its own.
-  ...["--mode", "no-install"],
-  ...(cargo.length > 0 ? ["--", ...cargo] : []),
-];
-
-/** Builds where needed; resolves to the exit code. */
-export async function buildWasm() {
-  const codes = await Promise.all(packages.map(buildOne));
+/** Builds where needed, with the options of `run`; resolves to the exit code. */
+export async function buildWasm(options = {}) {
+  const codes = await Promise.all(packages.map((one) => buildWhereNeeded(one, options)));
   return codes.find((code) => code !== 0) ?? 0;
 }
 
-async function buildOne(one) {
+/** The full package for Node, for benchmarks; resolves to the exit code. */
+export const buildForNode = (folder) => build({ ...packages[0], folder }, "nodejs", {});
+
+async function buildWhereNeeded(one, options) {
   const now = fingerprint(one);
-  const stamp = join(tools, one.stamp);
-  const built = join(one.folder, `${one.file}_bg.wasm`);
-  if (existsSync(built) && existsSync(stamp) && readFileSync(stamp, "utf8") === now) {
-    console.log(`The ${one.name} is up to date.`);
+  const stamp = join(tools, `${one.file}-made-from`);
+  if (existsSync(wasmOf(one)) && existsSync(stamp) && readFileSync(stamp, "utf8") === now) {
+    (options.output ?? ((text) => process.stdout.write(text)))(`The ${one.name} is up to date.\n`);
     return 0;
   }
-  rmSync(one.folder, { recursive: true, force: true });
-  const code = await run("wasm-pack", argsOf(one), { env: one.env });
+  const code = await build(one, "web", options);
   if (code !== 0) return code;
   mkdirSync(tools, { recursive: true });
   writeFileSync(stamp, now);
   return 0;
 }
 
+const wasmOf = ({ folder, file }) => join(folder, `${file}_bg.wasm`);
+
+const cargoArgs = ({ profile, cargo }) => [
+  ...["build", "--lib", "--locked", "--target", wasmTarget, "--profile", profile],
+  ...cargo,
+];
+
+async function build(one, kind, options) {
+  // A folder of its own for each, so that the two are built side by side.
+  const target = inRoot("target", one.profile);
+  const made = join(target, wasmTarget, one.profile, "mo_copp.wasm");
+  const start = (command, args, env = {}) => run(command, args, { ...options, env });
+  const compiled = await start("cargo", cargoArgs(one), {
+    CARGO_TARGET_DIR: target,
+    CARGO_ENCODED_RUSTFLAGS: rustFlags().join("\x1f"),
+  });
+  if (compiled !== 0) return compiled;
+  rmSync(one.folder, { recursive: true, force: true });
+  const bind = ["--target", kind, "--out-dir", one.folder, "--out-name", one.file, made];
+  const optimise = [wasmOf(one), "-o", wasmOf(one), ...one.optimiser];
+  const code = (await start("wasm-bindgen", bind)) || (await start("wasm-opt", optimise));
+  // A package that was not finished is none.
+  if (code !== 0) rmSync(one.folder, { recursive: true, force: true });
+  return code;
+}
+
+/** The flags of the environment, and names for the folders of this machine: panics name their place in the sources. */
+function rustFlags() {
+  const cargoHome = process.env.CARGO_HOME ?? join(homedir(), ".cargo");
+  const names = [
+    [homedir(), "home"],
+    [join(cargoHome, "registry", "src"), "crates"],
+    [join(read("rustc", ["--print", "sysroot"]) ?? "", "lib", "rustlib", "src", "rust"), "rust"],
+    [root, "."],
+  ];
+  const given = process.env.CARGO_ENCODED_RUSTFLAGS?.split("\x1f") ?? process.env.RUSTFLAGS?.split(/\s+/) ?? [];
+  // The last that fits is taken, so the narrower ones come later.
+  return [...given.filter(Boolean), ...names.map(([folder, name]) => `--remap-path-prefix=${folder}=${name}`)];
+}
+
 function fingerprint(one) {
   const hash = createHash("sha256");
-  hash.update(JSON.stringify([argsOf(one), read("rustc", ["--version"]), read("wasm-pack", ["--version"])]));
+  const versions = ["rustc", "wasm-bindgen", "wasm-opt"].map((command) => read(command, ["--version"]));
+  hash.update(JSON.stringify([cargoArgs(one), one.optimiser, versions]));
   for (const file of [inRoot("Cargo.toml"), inRoot("Cargo.lock"), ...filesUnder(inRoot("src"))]) {
-    hash.update(`\0${relative(root, file)}\0`).update(readFileSync(file));
+    hash.update(`\0${fromRoot(file)}\0`).update(readFileSync(file));
   }
   return hash.digest("hex");
 }
-
-const filesUnder = (folder) =>
-  readdirSync(folder, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile())
-    .map((entry) => join(entry.parentPath ?? entry.path, entry.name))
-    .sort();

@@ -3,16 +3,19 @@ import { spawn, spawnSync } from "node:child_process";
 import { childEnvironment } from "./environment.mjs";
 import { root } from "./paths.mjs";
 
-/** Runs a program with its output shown; resolves to its exit code (1 when it cannot be started or is killed). */
-export function run(command, args, { env = {} } = {}) {
+/**
+ * Runs a program; resolves to its exit code (1 when it cannot be started or is killed). Its output is shown, or handed
+ * to `output` piece by piece.
+ */
+export function run(command, args, { env = {}, output } = {}) {
   return new Promise((resolve) => {
-    const child = spawn(command, args, {
-      cwd: root,
-      env: childEnvironment(env),
-      stdio: ["ignore", "inherit", "inherit"],
-    });
+    const shown = output === undefined ? "inherit" : "pipe";
+    const child = spawn(command, args, { cwd: root, env: childEnvironment(env), stdio: ["ignore", shown, shown] });
+    child.stdout?.on("data", output);
+    child.stderr?.on("data", output);
     child.on("error", (error) => {
-      console.error(`${command}: ${error.message}`);
+      if (output === undefined) console.error(`${command}: ${error.message}`);
+      else output(`${command}: ${error.message}\n`);
       resolve(1);
     });
     child.on("close", (code) => resolve(code ?? 1));
