@@ -1,5 +1,6 @@
 // What each kind of work needs, in the order it is looked at.
 import { ensureChromium } from "./chromium.mjs";
+import { ensureFirefox } from "./firefox.mjs";
 import { ensureNode } from "./node.mjs";
 import { ensureNpmPackages } from "./npm-packages.mjs";
 import { ensureParallel } from "./parallel.mjs";
@@ -9,6 +10,7 @@ import { ensureRust, ensureRustLinters, ensureWasmTarget } from "./rust.mjs";
 import { ensureWasmBindgen } from "./wasm-bindgen.mjs";
 import { ensureWasmOpt } from "./wasm-opt.mjs";
 import { ensureWasmPack } from "./wasm-pack.mjs";
+import { ensureWebKit } from "./webkit.mjs";
 
 const wasm = [ensureRust, ensureWasmTarget, ensureNpmPackages, ensureWasmPack, ensureWasmBindgen, ensureWasmOpt];
 
@@ -16,8 +18,10 @@ export const needs = {
   page: wasm,
   lint: [...wasm, ensureRustLinters],
   rust: [ensureRust, ensurePythonPackages, ensureParallel],
+  fuzz: [ensureRust],
   wasm,
   browser: [...wasm, ensurePythonPackages, ensureChromium],
+  browsers: [...wasm, ensureChromium, ensureFirefox, ensureWebKit],
 };
 
 /** Sets up what the given kinds of work need; ends the process, saying why, where that can't be done. */

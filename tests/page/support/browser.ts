@@ -1,32 +1,30 @@
-// A Chromium for a test file, and pages in it that complain about every error the console shows.
+// Pages in a Chromium that complain about every error the console shows.
 import assert from "node:assert/strict";
 import { after } from "node:test";
-import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
-import { findChromium } from "../../../scripts/setup/chromium.mjs";
+import { type Browser, type BrowserContextOptions, type BrowserServer, chromium, type Page } from "playwright-core";
+import { launchChromium } from "../../../scripts/test/chromium-server.mjs";
 import { address } from "./site.js";
 
+/** The Chromium that `npm test` started for all files; a file that runs by itself starts one. */
+const shared = process.env.MO_COPP_CHROMIUM;
+
+let own: BrowserServer | undefined;
 let running: Promise<Browser> | undefined;
 
-function browser(): Promise<Browser> {
-  const executablePath = findChromium();
-  assert(executablePath, "no Chromium was found");
-  running ??= chromium.launch({
-    executablePath,
-    args: [
-      // Neither root nor every container has a sandbox; the only page that is opened is our own.
-      "--no-sandbox",
-      "--disable-gpu",
-      "--disable-quic",
-      "--no-first-run",
-      "--disable-background-networking",
-      "--disable-component-update",
-      "--disable-sync",
-    ],
-  });
+async function connect(): Promise<Browser> {
+  if (shared === undefined) own = await launchChromium();
+  return chromium.connect(shared ?? own?.wsEndpoint() ?? "");
+}
+
+export function browser(): Promise<Browser> {
+  running ??= connect();
   return running;
 }
 
-after(async () => (await running)?.close());
+after(async () => {
+  await (await running)?.close();
+  await own?.close();
+});
 
 export interface Visit {
   page: Page;

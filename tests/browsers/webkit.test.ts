@@ -1,0 +1,5 @@
+// The scenarios in WebKit.
+import { launch } from "./drivers/webkit.js";
+import { inBrowser } from "./run.js";
+
+inBrowser("WebKit", launch);
