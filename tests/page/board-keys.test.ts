@@ -34,7 +34,7 @@ async function keys(page: Page, ...names: string[]): Promise<void> {
 test("Tab comes by every board, and the cursor tells what is there", () =>
   edit(async (page) => {
     const met = new Set<string>();
-    for (let count = 0; count < 20; count += 1) {
+    for (let count = 0; count < 24; count += 1) {
       await page.keyboard.press("Tab");
       met.add((await page.evaluate(() => document.activeElement?.getAttribute("data-board"))) ?? "");
     }

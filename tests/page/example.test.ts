@@ -14,11 +14,14 @@ test("the example is worth showing", () => {
   assert(Number(outcome.goal_difference) >= 0.5);
 });
 
-test("the page solves its example and shows the plan's end", () =>
+test("the page solves its example and shows the plan from its first step to its end", () =>
   visit(async ({ page, requests }) => {
     await statusIs(page, "optimal");
     assert.equal(await attribute(page, "data-gd"), String(outcome.goal_difference));
-    assert.equal(await attribute(page, "data-step"), String(last));
+    assert.equal(await attribute(page, "data-step"), "0");
+    assertDrawn(await drawn(page), trace.steps[0] ?? assert.fail(), "G1");
+    await press(page, "Last step");
+    await stepIs(page, last);
     assertDrawn(await drawn(page), trace.steps[last] ?? assert.fail(), "G1");
     const goals = trace.steps[last]?.goals;
     await page
@@ -53,6 +56,8 @@ test("each step is drawn as the core's trace has it", () =>
 test("buttons, Home and End walk through the steps", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
+    await press(page, "Last step");
+    await stepIs(page, last);
     await press(page, "First step");
     await stepIs(page, 0);
     await press(page, "Forward one step");

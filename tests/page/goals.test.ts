@@ -1,4 +1,4 @@
-// Choosing a goal: when it dies for an observer, and which symbol killed it.
+// Choosing a goal: until when it is possible for an observer, and which symbol ends that.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fate } from "../../www/src/state/goal-story.js";
@@ -8,12 +8,12 @@ import { attribute, press, statusIs, stepIs } from "./support/playground.js";
 
 const { trace } = solve(example, { solver: "exact" });
 
-test("a goal dies where it is possible for the last time before", () => {
+test("a goal ends where it is possible for the last time before", () => {
   for (const { name } of JSON.parse(example).goals) {
     for (const role of ["adversarial", "cooperative"] as const) {
       const end = fate(trace, name, role);
       const alive = trace.steps.map((step) => step.goals[role].includes(name));
-      if (end.kind === "lives") assert(alive.at(-1));
+      if (end.kind === "possible") assert(alive.at(-1));
       else if (end.kind === "never") assert(!alive.includes(true));
       else {
         assert(alive[end.step - 1] && !alive.slice(end.step).includes(true));
@@ -26,18 +26,20 @@ test("a goal dies where it is possible for the last time before", () => {
 test("choosing a goal shows that step and says the symbol", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
-    const dying = JSON.parse(example)
+    const ending = JSON.parse(example)
       .goals.map(({ name }: { name: string }) => ({ name, end: fate(trace, name, "cooperative") }))
-      .find(({ end }: { end: { kind: string } }) => end.kind === "dies");
-    assert(dying, "a goal of the example dies for the friend");
-    await press(page, dying.name);
-    await stepIs(page, dying.end.step);
+      .find(({ end }: { end: { kind: string } }) => end.kind === "ends");
+    assert(ending, "a goal of the example ends for the friend");
+    await press(page, ending.name);
+    await stepIs(page, ending.end.step);
     await page
-      .getByText(`for the friend it dies at step ${dying.end.step}, by the symbol “${dying.end.symbol}”`)
+      .getByText(
+        `for the friend it is possible until step ${ending.end.step - 1}; “${ending.end.symbol}” at step ${ending.end.step} ends that`,
+      )
       .waitFor();
     await press(page, "G1");
     await page
       .getByText("G1: for the enemy it is possible at the end; for the friend it is possible at the end.")
       .waitFor();
-    assert.equal(await attribute(page, "data-step"), String(dying.end.step));
+    assert.equal(await attribute(page, "data-step"), String(ending.end.step));
   }));

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import type { Locator, Page } from "playwright-core";
 import { visit } from "./support/browser.js";
 import { delivery, figure1, grid } from "./support/documents.js";
-import { attribute, openTab, press, slider, statusIs, stepIs, useDocument } from "./support/playground.js";
+import { openTab, press, slider, statusIs, stepIs, useDocument } from "./support/playground.js";
 import { address } from "./support/site.js";
 
 const widths = [320, 390, 820, 1280] as const;
@@ -104,6 +104,7 @@ test("the formula of the goal difference breaks nowhere inside of its brackets",
     const goals = Array.from({ length: 11 }, (_, index) => ({ name: `goal ${index}`, cell: [3, index % 3] }));
     for (const problem of [null, grid({ goals, true_goal: "goal 0" })]) {
       if (problem !== null) await useDocument(page, problem);
+      await press(page, "Last step");
       await page.getByText(problem === null ? "÷ (4 − 1)" : "÷ (11 − 1)").waitFor();
       const brackets = page.locator(".difference .bracket");
       assert.equal(await brackets.count(), 2);
@@ -123,7 +124,7 @@ test("the formula of the goal difference breaks nowhere inside of its brackets",
 test("the sign that was told is there whole at every step", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
-    const last = Number(await attribute(page, "data-step"));
+    const last = Number(await slider(page).getAttribute("max"));
     for (let step = 0; step <= last; step += 1) {
       await slider(page).fill(String(step));
       await stepIs(page, step);

@@ -86,11 +86,11 @@ test("a start that shares its cell with a goal is a ring around it, and can be c
     assert.deepEqual(goals[1]?.cell, [0, 7]);
   }));
 
-test("a goal that is clicked on a board is chosen: the step where it dies is shown", () =>
+test("a goal that is clicked on a board is chosen: the step that ends it is shown", () =>
   edit(async (page) => {
     const before = await documentOf(page);
     await board(page, "cooperative").locator("[data-goal=G4]").click();
-    const died = /^G4: .*for the friend it dies at step (\d+), by the symbol/;
+    const died = /^G4: .*for the friend it is possible until step \d+; “.*” at step (\d+) ends that/;
     const sentence = (await page.locator(".story").getByText(died).textContent()) ?? "";
     await stepIs(page, Number(died.exec(sentence)?.[1]));
     assert.deepEqual(await documentOf(page), before);

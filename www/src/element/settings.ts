@@ -67,24 +67,25 @@ const unusable = (name: string, text: string, expected: string): string =>
 const stepOf = (text: string): number | null => (/^\s*\d{1,6}\s*$/.test(text) ? Number(text) : null);
 
 /**
- * Opens what the attributes ask for; without any, what the page begins with. `wanted`: whether they are still the last
+ * Opens what the attributes ask for; without any, what the page begins with. `at`: which step is shown then. `wanted`: whether they are still the last
  * ones asked for; when they are not, the rest is left to those that came after them. False where it came to no end.
  */
 export async function settle(
   playground: Playground,
   settings: Settings,
   fallback: string,
+  at: "first" | "end",
   wanted: () => boolean,
 ): Promise<boolean> {
-  const opened = await openProblem(playground, settings, fallback, wanted);
+  const opened = await openProblem(playground, settings, fallback, at, wanted);
   if (!opened || !wanted()) return false;
   const form = formOf(settings);
   if (Object.keys(form).length > 0) {
     playground.solving.edit(form);
-    await playground.solving.solve();
+    await playground.solving.solve(at);
     if (!wanted()) return false;
   }
-  if (settings.plan !== null) await showPlan(playground, settings.plan, wanted);
+  if (settings.plan !== null) await showPlan(playground, settings.plan, at, wanted);
   return wanted();
 }
 
@@ -97,13 +98,14 @@ async function openProblem(
   playground: Playground,
   { src, problem }: Settings,
   fallback: string,
+  at: "first" | "end",
   wanted: () => boolean,
 ): Promise<boolean> {
   const { gallery } = playground;
   if (src !== null) {
     const text = await fetched(src);
     if (!wanted()) return false;
-    if (text !== null && text !== TOO_LARGE) return playground.edits.open(text);
+    if (text !== null && text !== TOO_LARGE) return playground.edits.open(text, {}, "exact", at);
     playground.solving.refuse(
       text === null
         ? `The problem document “${src}” could not be loaded.`
@@ -111,9 +113,9 @@ async function openProblem(
     );
     return false;
   }
-  if (problem === null) return playground.edits.open(fallback);
+  if (problem === null) return playground.edits.open(fallback, {}, "exact", at);
   if (!gallery.documents.value.has(problem)) await gallery.load();
-  return wanted() && gallery.open(problem);
+  return wanted() && gallery.open(problem, at);
 }
 
 const TOO_LARGE = Symbol("too large");
@@ -140,14 +142,20 @@ function formOf({ solver, k, j, horizon }: Settings): Partial<Form> {
   };
 }
 
-async function showPlan(playground: Playground, plan: string, wanted: () => boolean): Promise<void> {
+async function showPlan(
+  playground: Playground,
+  plan: string,
+  at: "first" | "end",
+  wanted: () => boolean,
+): Promise<void> {
   const named = playground.gallery.current.value?.plans?.find(({ title }) => title === plan);
-  if (named !== undefined) await playground.gallery.show(named);
+  if (named !== undefined) await playground.gallery.show(named, at);
   else
     await playground.plans.show(
       // An empty text is the plan without actions.
       plan.trim() === "" ? [] : plan.split(",").map((action) => action.trim()),
       "The plan of this page",
       wanted,
+      at,
     );
 }

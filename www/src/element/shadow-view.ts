@@ -16,6 +16,7 @@ import share from "../style/share.css?inline";
 import solve from "../style/solve.css?inline";
 import steps from "../style/steps.css?inline";
 import text from "../style/text.css?inline";
+import tour from "../style/tour.css?inline";
 import views from "../style/views.css?inline";
 
 export { View } from "./view.js";
@@ -30,6 +31,7 @@ export const styles: readonly (readonly [name: string, text: string])[] = [
   ["goals", goals],
   ["delivery", delivery],
   ["play", play],
+  ["tour", tour],
   ["solve", solve],
   ["compare", compare],
   ["charts", charts],

@@ -6,6 +6,7 @@ import { toolbar } from "../edit/toolbar.js";
 import { galleryMenu } from "../gallery/menu.js";
 import { problemBar } from "../gallery/problem-bar.js";
 import { held } from "../gesture/held.js";
+import { Tour } from "../help/tour.js";
 import { Playground } from "../playground/playground.js";
 import { exampleDocument } from "../problem/example.js";
 import type { ProblemDocument } from "../problem/types.js";
@@ -59,6 +60,7 @@ export class View {
   private readonly announcer: Announcer;
   private readonly keys: PageKeys;
   private readonly picture: LiveRender;
+  private readonly tour: Tour;
   /** Rows that got narrower have moved what was in sight. */
   private readonly sizes = new ResizeObserver(() => followSymbols(this.root));
   private readonly notifier: Notifier;
@@ -92,6 +94,7 @@ export class View {
       () => this.drawn(),
     );
     this.notifier = new Notifier(this.playground, host);
+    this.tour = new Tour(root);
     this.seen = keepInSight(root);
   }
 
@@ -192,12 +195,18 @@ export class View {
     this.sayMistakes(names);
   }
 
-  private async settle(): Promise<void> {
+  /** `watch` invites to watch the first problem; where steps can't be walked through, their end is all there is to see. */
+  private get opensAt(): "first" | "end" {
+    const watched = this.host.hasAttribute("watch") && !hiddenParts(this.host.getAttribute("hide")).has("stepper");
+    return watched ? "first" : "end";
+  }
+
+  private async settle(at: "first" | "end" = "end"): Promise<void> {
     this.followed += 1;
     const now = this.followed;
     const wanted = () => now === this.followed;
     const settings = settingsOf(this.host);
-    const settled = await settle(this.playground, settings, inline(this.host) ?? exampleDocument, wanted);
+    const settled = await settle(this.playground, settings, inline(this.host) ?? exampleDocument, at, wanted);
     if (wanted()) this.unreachable.value = !settled && settings.src !== null;
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
@@ -223,7 +232,7 @@ export class View {
     if (opened === true || this.followed > 0) return;
     const { playground } = this;
     const mistake = playground.answer.error.value;
-    await this.settle();
+    await this.settle(this.opensAt);
     if (opened === false && mistake !== null) playground.solving.refuse(mistake);
   }
 
@@ -232,7 +241,7 @@ export class View {
     const { answer, problem, solving } = this.playground;
     const nothingOpen = problem.document.value === null;
     if (!this.unreachable.value && !answer.lost.value && !nothingOpen) return nothing;
-    const act = () => void (this.unreachable.value || nothingOpen ? this.settle() : solving.solve());
+    const act = () => void (this.unreachable.value || nothingOpen ? this.settle(this.opensAt) : solving.solve());
     return html` <button type="button" class="again" @click=${act}>Try again</button>`;
   }
 
@@ -242,6 +251,8 @@ export class View {
     const hidden = hiddenParts(this.host.getAttribute("hide"));
     const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
     const link = () => (this.sharing && !hidden.has("share") ? copyLink(playground, this.copier) : nothing);
+    // Parts that the tour speaks of may be left out; of several playgrounds the first has it.
+    const toured = this.sharing && !["gallery", "stepper", "workbench"].some((part) => hidden.has(part));
     return html`
       <div class="error">
         <div role="alert">${error === null ? nothing : html`<p>${error}${this.again()}</p>`}</div>
@@ -253,7 +264,7 @@ export class View {
         }
       </div>
       ${show("gallery", () => held(playground, () => problemBar(playground, link())))} ${show("tools", () => toolbar(playground))}
-      ${stage(playground)}
+      ${stage({ ...playground, tour: toured ? this.tour : null })}
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
       ${
         hidden.has("workbench") && hidden.has("goals")
@@ -263,7 +274,7 @@ export class View {
               ${show("goals", () => html`<section class="card" part="goals" aria-label="Goals">${goalList(playground)}</section>`)}
             </div>`
       }
-      ${show("gallery", () => galleryMenu(playground))} ${dropSign(this.drops)} ${announcement(this.announcer)}
+      ${show("gallery", () => galleryMenu(playground))} ${dropSign(this.drops)} ${announcement(this.announcer)} ${this.tour.card()}
     `;
   }
 

@@ -100,7 +100,7 @@ export const entries: readonly Entry[] = [
     name: "stay-and-wait",
     title: "Stay and wait",
     about:
-      "The same grid, but the agent may stand still, and one pause spoils the enemy’s count: all five goals survive, and GD is 1.",
+      "The same grid, but the agent may stand still, and one pause spoils the enemy’s count: all five goals stay possible, and GD is 1.",
     plans: [
       { title: "Straight there", plan: ["south", "south"] },
       { title: "Wait, then go", plan: [...times(3, "stay"), ...times(2, "south")] },

@@ -48,10 +48,10 @@ export class Gallery {
     return this.loading;
   }
 
-  async open(name: string): Promise<boolean> {
+  async open(name: string, at: "first" | "end" = "end"): Promise<boolean> {
     if (!this.documents.value.has(name)) await this.load();
     const document = this.documents.value.get(name);
-    if (document !== undefined) return this.playground.edits.open(document.text);
+    if (document !== undefined) return this.playground.edits.open(document.text, {}, "exact", at);
     const known = entries.some((entry) => entry.name === name);
     this.playground.solving.refuse(
       known
@@ -71,13 +71,13 @@ export class Gallery {
   }
 
   /** Shows a named plan of the entry that is open. */
-  async show({ title, plan, trueGoal }: NamedPlan): Promise<void> {
+  async show({ title, plan, trueGoal }: NamedPlan, at: "first" | "end" = "end"): Promise<void> {
     const document = this.playground.problem.document.value;
     if (document === null) return;
     const wanted = withTrueGoal(document.value, trueGoal);
     if (sameProblem(wanted, document.value)) {
       if (plan === undefined) this.showBest();
-      else await this.playground.plans.show([...plan], title);
+      else await this.playground.plans.show([...plan], title, () => true, at);
     } else {
       this.playground.edits.apply(wanted);
     }

@@ -93,9 +93,11 @@ export const glossary = (see: See): Definition[] => [
     meaning: html`Any candidate goal but the true one.`,
   },
   {
-    ...{ term: "possible", name: "Possible, survives", symbol: math(survivors("i")), source: "Section 2, solutions." },
-    meaning: html`A goal is possible for an observer, or survives, when it is reached in some state of the observer’s
-      ${see("belief", "belief")}. Only what is possible at the end of the plan counts. The true goal always is.`,
+    ...{ term: "possible", name: "Possible, ruled out", symbol: math(survivors("i")), source: "Section 2, solutions." },
+    meaning: html`A goal is possible for an observer when it is reached in some state of the observer’s
+      ${see("belief", "belief")}; the paper says that it survives. It is ruled out when it is reached in none and no
+      actions lead to it from any of them, or when the plan is over. In between it is not possible now and may still
+      come. Only what is possible at the end of the plan counts. The true goal always is.`,
   },
   {
     ...{ term: "obfuscation", name: "Obfuscation", symbol: math(count("X")), source: "Section 2." },
@@ -171,7 +173,7 @@ export const glossary = (see: See): Definition[] => [
   },
   {
     ...{ term: "proved-optimal", name: "Proved optimal" },
-    meaning: html`No plan of those asked for has a larger goal difference: all have been looked at or ruled out.`,
+    meaning: html`No plan of those asked for has a larger goal difference: the search has covered all of them.`,
   },
   {
     ...{ term: "best-found", name: "Best found" },

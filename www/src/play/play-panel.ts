@@ -18,7 +18,7 @@ async function takeOver(playground: PlayPanelStores, { currentTarget }: Event): 
 }
 
 async function startGuessing(playground: PlayPanelStores, { currentTarget }: Event): Promise<void> {
-  const element = (currentTarget as Element).closest("mo-copp-playground");
+  const element = playgroundAround(currentTarget as Element);
   await playground.guess.start();
   requestAnimationFrame(() => boardsInView(element, ".panel.adversarial"));
 }

@@ -16,6 +16,7 @@ import { Solving } from "../state/solving.js";
 import { Timeline } from "../state/timeline.js";
 import { Tradeoff } from "../state/tradeoff.js";
 import { Walk } from "../state/walk.js";
+import { Why } from "../state/why.js";
 import { Workbench } from "../state/workbench.js";
 import { Draft } from "../text/draft.js";
 import { Copier } from "../view/copier.js";
@@ -32,6 +33,7 @@ export class Playground {
   readonly solving = new Solving(this);
   readonly edits = new Edits(this);
   readonly plans = new Plans(this);
+  readonly why = new Why(this);
   readonly walk = new Walk(this);
   readonly guess = new Guess(this);
   readonly adviser = new Adviser(this);
@@ -42,8 +44,8 @@ export class Playground {
   readonly command = new Copier();
 
   dispose(): void {
-    const { timeline, solving, answer, walk, guess, adviser, comparison, tradeoff, draft } = this;
+    const { timeline, solving, answer, why, walk, guess, adviser, comparison, tradeoff, draft } = this;
     timeline.pause();
-    for (const part of [solving, answer, walk, guess, adviser, comparison, tradeoff, draft]) part.dispose();
+    for (const part of [solving, answer, why, walk, guess, adviser, comparison, tradeoff, draft]) part.dispose();
   }
 }

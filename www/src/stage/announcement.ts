@@ -77,13 +77,13 @@ function part(role: Role, shown: TraceStep): string {
   return [
     `the ${called[role]} ${symbol === null ? "has seen nothing yet" : `saw ${named(symbol)}`}`,
     `${states} ${states === 1 ? "state" : "states"} left`,
-    survive(shown.goals[role]),
+    possible(shown.goals[role]),
   ].join(", ");
 }
 
-function survive(goals: readonly string[]): string {
-  if (goals.length === 0) return "no goal survives at this step";
-  if (goals.length > MOST_NAMED) return `${goals.length} goals survive`;
-  if (goals.length === 1) return `goal ${named(goals[0] ?? "")} survives`;
-  return `goals ${goals.slice(0, -1).map(named).join(", ")} and ${named(goals.at(-1) ?? "")} survive`;
+function possible(goals: readonly string[]): string {
+  if (goals.length === 0) return "no goal is possible now";
+  if (goals.length > MOST_NAMED) return `${goals.length} goals are possible`;
+  if (goals.length === 1) return `goal ${named(goals[0] ?? "")} is possible`;
+  return `goals ${goals.slice(0, -1).map(named).join(", ")} and ${named(goals.at(-1) ?? "")} are possible`;
 }

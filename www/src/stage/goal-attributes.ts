@@ -1,13 +1,16 @@
-// Whether each candidate goal survives for each observer at the step shown: one reading for every view,
-// and the stable attributes that course styles and checks rely on.
+// What each observer holds of each candidate goal at the step shown: one reading for every view, and the stable
+// attributes that course styles and checks rely on.
 import { nothing } from "lit";
 import type { Scene, TraceStep } from "../core.js";
-import type { Role } from "../view/observers.js";
+import { type Role, roles } from "../view/observers.js";
+
+/** `not now`: no state that is believed reaches the goal, and one may still lead to it. */
+export type Standing = "possible" | "not now" | "ruled out";
 
 export interface GoalView {
   name: string;
   isTrue: boolean;
-  alive: Record<Role, boolean>;
+  standing: Record<Role, Standing>;
   /** `nothing` where it is not known: the friend's while the enemy's player must not know it. */
   attributes: Record<Role, "alive" | "dead" | typeof nothing>;
 }
@@ -32,15 +35,30 @@ export function goalViews(scene: Scene, step: TraceStep): readonly GoalView[] {
 
 function viewed(scene: Scene, step: TraceStep): GoalView[] {
   const secret = isGuessedAt(scene);
-  const alive = { adversarial: new Set(step.goals.adversarial), cooperative: new Set(step.goals.cooperative) };
-  const word = (lives: boolean) => (lives ? "alive" : "dead");
+  const [enemys, friends] = roles.map((role) => standings(step, role));
   return scene.goals.map(({ name }) => {
-    const lives = { adversarial: alive.adversarial.has(name), cooperative: alive.cooperative.has(name) };
+    const standing = {
+      adversarial: enemys?.get(name) ?? "not now",
+      cooperative: friends?.get(name) ?? "not now",
+    };
     return {
       name,
       isTrue: name === scene.true_goal,
-      alive: lives,
-      attributes: { adversarial: word(lives.adversarial), cooperative: secret ? nothing : word(lives.cooperative) },
+      standing,
+      attributes: {
+        adversarial: word(standing.adversarial),
+        cooperative: secret ? nothing : word(standing.cooperative),
+      },
     };
   });
 }
+
+/** Of the goals of which something is certain at a step. */
+function standings({ goals, ruled_out }: TraceStep, role: Role): ReadonlyMap<string, Standing> {
+  const known = new Map<string, Standing>();
+  for (const name of ruled_out?.[role] ?? []) known.set(name, "ruled out");
+  for (const name of goals[role]) known.set(name, "possible");
+  return known;
+}
+
+const word = (standing: Standing) => (standing === "possible" ? "alive" : "dead");

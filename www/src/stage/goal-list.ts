@@ -5,15 +5,17 @@ import { glossaryLink } from "../help/glossary-link.js";
 import { visible } from "../problem/unseen.js";
 import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
-import { possible, ruledOut, star } from "../view/icons.js";
+import { star } from "../view/icons.js";
 import { inTurns } from "../view/in-turns.js";
 import { longList } from "../view/long-list.js";
 import { named } from "../view/names.js";
 import { called, type Role, roles } from "../view/observers.js";
 import { isDelivery } from "./delivery/facts.js";
 import { type GoalView, goalViews } from "./goal-attributes.js";
+import { looks } from "./goal-marks.js";
 import { isGrid } from "./grid/cells.js";
 import { viewOf } from "./lazy-views.js";
+import { signs } from "./standing-signs.js";
 
 interface GoalListStores {
   timeline: Timeline;
@@ -52,7 +54,7 @@ export function goalList(playground: GoalListStores): TemplateResult | "" {
             ${
               guessing
                 ? html`<span class="name" title=${named(goal.name)}>${visible(goal.name)}</span>`
-                : html`<button type="button" class="choose name" title="${named(goal.name)}: show when it dies"
+                : html`<button type="button" class="choose name" title="${named(goal.name)}: show until when it is possible"
                     @click=${() => playground.boards.story.choose(goal.name)}>${visible(goal.name)}</button>`
             }
             ${goal.isTrue ? html`<span class="true">${star}true goal</span>` : ""}
@@ -64,13 +66,13 @@ export function goalList(playground: GoalListStores): TemplateResult | "" {
     </tbody>
   </table>
   ${list.more}
-  <p class="story" role="status">${guessing ? "" : playground.boards.story.sentence.value || "Choose a goal to see when it dies, and by which symbol."}</p>`;
+  <p class="story" role="status">${guessing ? "" : playground.boards.story.sentence.value || "Choose a goal to see until when it is possible, and which symbol ends that."}</p>`;
 }
 
 function survival(role: Role, goal: GoalView, end: GoalView | undefined): TemplateResult {
-  const alive = goal.alive[role];
-  return html`<td class="${role} ${alive ? "alive" : "dead"}">
-    ${alive ? possible : ruledOut}${alive ? "possible" : "not now"}
-    ${end === undefined ? "" : html`<span class="end">at the end: ${end.alive[role] ? "possible" : "ruled out"}</span>`}
+  const standing = goal.standing[role];
+  return html`<td class="${role} ${looks[standing]}">
+    ${signs[standing]}${standing}
+    ${end === undefined ? "" : html`<span class="end">at the end: ${end.standing[role]}</span>`}
   </td>`;
 }

@@ -39,6 +39,7 @@ const signs: TemplateResult = html`<ul class="legend" part="legend" aria-label="
   ${sample(svg`<circle class="hidden-here" cx="0.5" cy="0.5" r="0.4"></circle>`, "where it really is")}
   ${sample(enemysMark, "goal possible for the enemy")}
   ${sample(friendsMark, "goal possible for the friend")}
+  ${sample(svg`<g class="goal open">${badge}</g>`, "goal not possible now")}
   ${sample(svg`<g class="goal dead">${badge}${strike}</g>`, "goal ruled out")}
 </ul>`;
 
@@ -52,5 +53,6 @@ const deliverySigns: TemplateResult = html`<ul class="legend" part="legend" aria
   ${sample(trueGoal, "true goal")}
   ${sample(enemysMark, "goal possible for the enemy")}
   ${sample(friendsMark, "goal possible for the friend")}
+  ${sample(svg`<g class="goal open">${badge}</g>`, "goal not possible now")}
   ${sample(svg`<g class="goal dead">${badge}${strike}</g>`, "goal ruled out")}
 </ul>`;

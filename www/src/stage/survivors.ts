@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
 import { visible } from "../problem/unseen.js";
 import type { Boards } from "../state/boards.js";
-import { possible, ruledOut, star } from "../view/icons.js";
+import { star } from "../view/icons.js";
 import { inTurns } from "../view/in-turns.js";
 import { longList } from "../view/long-list.js";
 import { named } from "../view/names.js";
@@ -13,20 +13,23 @@ import { called, type Role } from "../view/observers.js";
 import { stateCount } from "./belief-size.js";
 import type { BoardInput } from "./board-input.js";
 import { goalViews } from "./goal-attributes.js";
+import { looks } from "./goal-marks.js";
 import { isGrid } from "./grid/cells.js";
+import { signs } from "./standing-signs.js";
+import { reason, type WhyStores } from "./why.js";
 
-export interface SurvivorStores {
+export interface SurvivorStores extends WhyStores {
   boards: Boards;
 }
 
 /** More goals than these are a list to scroll. */
 const MANY = 12;
 
-export function survivors(role: Role, { scene, shown }: BoardInput, { boards }: SurvivorStores): TemplateResult {
-  const { story, mode } = boards;
+export function survivors(role: Role, { scene, shown }: BoardInput, playground: SurvivorStores): TemplateResult {
+  const { story, mode } = playground.boards;
   const goals = goalViews(scene, shown);
-  const list = longList(boards, goals, "goals", ({ isTrue }) => isTrue);
-  const count = goals.filter((goal) => goal.alive[role]).length;
+  const list = longList(playground.boards, goals, "goals", ({ isTrue }) => isTrue);
+  const count = goals.filter((goal) => goal.standing[role] === "possible").length;
   const states = stateCount(shown, role);
   const noun = isGrid(scene) ? "place" : "state";
   return html`<p class="belief">
@@ -35,13 +38,14 @@ export function survivors(role: Role, { scene, shown }: BoardInput, { boards }: 
     <ul class="survivors ${goals.length > MANY ? "many" : ""}" tabindex=${goals.length > MANY ? 0 : nothing} aria-label="Goals for the ${called[role]}">
       ${inTurns(
         list.shown,
-        ({ item: goal }) => html`<li class=${goal.alive[role] ? "alive" : "dead"} data-goal=${goal.name}
+        ({ item: goal }) => html`<li class=${looks[goal.standing[role]]} data-goal=${goal.name}
           data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
-          ?data-true-goal=${goal.isTrue} title="${named(goal.name)}: show when it dies" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
-          ${goal.alive[role] ? possible : ruledOut}<span class="name">${visible(goal.name)}</span>${goal.isTrue ? star : ""}
-          <span class="unseen">${goal.alive[role] ? "possible" : "not possible now"}</span>
+          ?data-true-goal=${goal.isTrue} title="${named(goal.name)}: show why it is not possible" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
+          ${signs[goal.standing[role]]}<span class="name">${visible(goal.name)}</span>${goal.isTrue ? star : ""}
+          <span class="unseen">${goal.standing[role]}</span>
         </li>`,
       )}
     </ul>
-    ${list.more}`;
+    ${list.more}
+    ${reason(role, noun, goals.find(({ name }) => name === story.goal.value)?.standing[role], playground)}`;
 }

@@ -3,7 +3,7 @@ import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-co
 import type { Scene, Trace } from "../core.js";
 import { GoalStory } from "./goal-story.js";
 import type { OpenProblem } from "./open-problem.js";
-import type { Timeline } from "./timeline.js";
+import type { At, Timeline } from "./timeline.js";
 
 /** Whose steps are shown: a plan's, or those of the person who walks, or those that the person sees as the enemy. */
 export type Mode = "plan" | "walk" | "guess";
@@ -21,6 +21,8 @@ export class Boards {
   /** They are told when the answer of a solver takes the place of what was shown. */
   readonly replaced = new Set<() => void>();
   private readonly hasPlan = signal(false);
+  /** The step of the answer that was shown when a game began. */
+  private left: number | null = null;
   private readonly timeline: Timeline;
 
   constructor({ problem, timeline }: { problem: Pick<OpenProblem, "scene">; timeline: Timeline }) {
@@ -35,7 +37,8 @@ export class Boards {
   }
 
   /** Shows what a solver answered, or the start while it has not: whatever was played is over. */
-  showAnswer(trace: Trace, hasPlan: boolean, at: "start" | "end" | "same"): void {
+  showAnswer(trace: Trace, hasPlan: boolean, at: At): void {
+    this.left = null;
     batch(() => {
       for (const told of this.replaced) told();
       this.show("plan", null, hasPlan);
@@ -43,22 +46,28 @@ export class Boards {
     });
   }
 
-  /** Shows the answer again; `trace` is null where there was none. */
+  /** Shows the answer again, after a game at the step that was shown before it; `trace` is null where there was none. */
   showAnswerAgain(trace: Trace | null, hasPlan: boolean): void {
+    const step = this.left;
+    this.left = null;
     batch(() => {
       this.show("plan", null, hasPlan);
       this.timeline.pause();
-      if (trace !== null) this.timeline.show(trace, "end");
+      if (trace === null) return;
+      this.timeline.show(trace, step === 0 ? "first" : "end");
+      if (step !== null && step > 0) this.timeline.goTo(step);
     });
   }
 
   /** Shows the steps of another plan; `title` says whose. */
-  showPlan(trace: Trace, title: string): void {
-    this.showSteps("plan", trace, "end", title);
+  showPlan(trace: Trace, title: string, at: "first" | "end"): void {
+    this.showSteps("plan", trace, at, title);
   }
 
   /** Shows steps that are no solver's, in the mode they belong to. */
-  showSteps(mode: Mode, trace: Trace, at: "start" | "end", title: string | null = null): void {
+  showSteps(mode: Mode, trace: Trace, at: At, title: string | null = null): void {
+    if (mode !== "plan" && this.mode.value === "plan" && this.chosen.value === null)
+      this.left ??= this.timeline.step.value;
     batch(() => {
       this.show(mode, title, true);
       this.timeline.pause();

@@ -24,9 +24,14 @@ export class Edits {
 
   /**
    * Opens a document and solves it: exactly, or with the solver chosen. One that can't be read leaves everything as it
-   * was.
+   * was. `at`: a problem that was not seen yet begins at its first step.
    */
-  async open(text: string, form: Partial<Form> = {}, solver: "exact" | "chosen" = "exact"): Promise<boolean> {
+  async open(
+    text: string,
+    form: Partial<Form> = {},
+    solver: "exact" | "chosen" = "exact",
+    at: "first" | "end" = "end",
+  ): Promise<boolean> {
     const { problem, answer, editing, form: asked, solving } = this.stores;
     // What is being dragged belongs to the problem that was open.
     editing.drag.value = null;
@@ -45,7 +50,7 @@ export class Edits {
       return false;
     }
     problem.opening.value = text;
-    await solving.open(document, options, exact);
+    await solving.open(document, options, exact, at);
     if (problem.document.value === document) problem.origin.value = document;
     if (problem.opening.value === text) problem.opening.value = null;
     if (problem.document.value !== document) {

@@ -1,4 +1,4 @@
-// When a candidate goal dies for an observer, and which symbol killed it.
+// Until when a candidate goal is possible for an observer, and which symbol ends that.
 import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Trace } from "../core.js";
 import { brief } from "../view/names.js";
@@ -7,22 +7,22 @@ import type { Timeline } from "./timeline.js";
 
 /** What becomes of a goal for one observer. */
 export type Fate =
-  /** It is ruled out for good at this step, by this symbol. */
-  { kind: "dies"; step: number; symbol: string } | { kind: "lives" } | { kind: "never" };
+  /** From this step on it is never possible again, by this symbol. */
+  { kind: "ends"; step: number; symbol: string } | { kind: "possible" } | { kind: "never" };
 
-/** A goal can be possible at some steps and not at others; it dies where it is possible for the last time before. */
+/** A goal can be possible at some steps and not at others; this ends where it is possible for the last time before. */
 export function fate(trace: Trace, goal: string, role: Role): Fate {
   let last = trace.steps.length - 1;
   while (last >= 0 && !trace.steps[last]?.goals[role].includes(goal)) last -= 1;
   if (last === -1) return { kind: "never" };
   const after = trace.steps[last + 1];
-  if (after === undefined) return { kind: "lives" };
-  return { kind: "dies", step: last + 1, symbol: after.symbols[role] ?? "" };
+  if (after === undefined) return { kind: "possible" };
+  return { kind: "ends", step: last + 1, symbol: after.symbols[role] ?? "" };
 }
 
 export class GoalStory {
   /** The goal that was chosen last. */
-  private readonly goal = signal<string | null>(null);
+  readonly goal = signal<string | null>(null);
 
   /** What becomes of it, in words. */
   readonly sentence: ReadonlySignal<string>;
@@ -34,7 +34,7 @@ export class GoalStory {
     });
   }
 
-  /** Shows the step where the goal dies for an observer; chosen again, the step where it dies for the other. */
+  /** Shows the step from which the goal is not possible for an observer; chosen again, the step of the other. */
   choose(goal: string): void {
     const trace = this.timeline.trace.value;
     if (trace === null) return;
@@ -42,7 +42,7 @@ export class GoalStory {
     this.goal.value = goal;
     const steps = roles
       .map((role) => fate(trace, goal, role))
-      .flatMap((end) => (end.kind === "dies" ? [end.step] : []));
+      .flatMap((end) => (end.kind === "ends" ? [end.step] : []));
     const moments = [...new Set(steps)].sort((a, b) => a - b);
     const shown = this.timeline.step.value;
     const next = again ? moments.find((step) => step > shown) : undefined;
@@ -60,8 +60,8 @@ function told(trace: Trace, goal: string): string {
     const end = fate(trace, goal, role);
     const who = `for the ${called[role]}`;
     if (end.kind === "never") return `${who} it is never possible`;
-    if (end.kind === "lives") return `${who} it is possible at the end`;
-    return `${who} it dies at step ${end.step}, by the symbol “${brief(end.symbol)}”`;
+    if (end.kind === "possible") return `${who} it is possible at the end`;
+    return `${who} it is possible until step ${end.step - 1}; “${brief(end.symbol)}” at step ${end.step} ends that`;
   });
   return `${brief(goal)}: ${parts.join("; ")}.`;
 }

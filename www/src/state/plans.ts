@@ -16,12 +16,12 @@ export class Plans {
   constructor(private readonly stores: Stores) {}
 
   /** Shows another plan than the result's: `title` says whose; `wanted`, whether it is still, once its steps are there. */
-  async show(plan: string[], title: string, wanted = () => true): Promise<void> {
+  async show(plan: string[], title: string, wanted = () => true, at: "first" | "end" = "end"): Promise<void> {
     const document = this.stores.problem.document.value;
     if (document === null) return;
     const ending = await this.stores.solving.ask({ kind: "trace", document: document.text, plan });
     if (ending.kind !== "traced") this.stores.answer.fail(ending);
-    else if (wanted()) this.stores.boards.showPlan(ending.trace, title);
+    else if (wanted()) this.stores.boards.showPlan(ending.trace, title, at);
   }
 
   /** Shows what was solved again. */

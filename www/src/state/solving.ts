@@ -11,7 +11,7 @@ import { Coalesce } from "./coalesce.js";
 import { exactOptions, type Form, optionsOf } from "./form.js";
 import { fitted } from "./numbers.js";
 import type { OpenDocument, OpenProblem } from "./open-problem.js";
-import type { Timeline } from "./timeline.js";
+import type { At, Timeline } from "./timeline.js";
 
 /** What takes longer is seen to take long, and can be cancelled. */
 const SLOW_MS = 300;
@@ -20,7 +20,7 @@ export interface Job {
   document: OpenDocument;
   options: SolveOptions;
   /** Which step to show then. */
-  at: "start" | "end" | "same";
+  at: At;
 }
 
 interface Stores {
@@ -70,7 +70,7 @@ export class Solving {
   }
 
   /** Runs the solver that was chosen. */
-  async solve(): Promise<void> {
+  async solve(at: At = "end"): Promise<void> {
     const document = this.problem.newest;
     if (document === null) return;
     this.live.clear();
@@ -78,14 +78,14 @@ export class Solving {
     if (typeof options === "string") return this.refuse(options);
     this.answer.ran.value = options.solver;
     this.begin();
-    await this.perform({ document, options, at: "end" });
+    await this.perform({ document, options, at });
   }
 
   /** Solves a document that is being opened; `exact` is what the best possible of it is asked for. */
-  async open(document: OpenDocument, options: SolveOptions, exact: SolveOptions): Promise<void> {
+  async open(document: OpenDocument, options: SolveOptions, exact: SolveOptions, at: At): Promise<void> {
     this.asked = JSON.stringify(exact);
     this.begin();
-    await this.perform({ document, options, at: "end" });
+    await this.perform({ document, options, at });
   }
 
   /** Solves an edit; of many in short time only the last. */

@@ -2,6 +2,9 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Trace, TraceStep } from "../core.js";
 
+/** Which step is shown of new steps. `first`: the first, and the end of what an edit makes of them. */
+export type At = "first" | "start" | "end" | "same";
+
 /** Steps a second. */
 export const speeds = [0.75, 1.5, 3, 6] as const;
 export type Speed = (typeof speeds)[number];
@@ -22,11 +25,12 @@ export class Timeline {
   private wanted: number | "end" = "end";
 
   /** Shows other steps. Who stood at the end stands at the end again. */
-  show(trace: Trace, at: "start" | "end" | "same"): void {
+  show(trace: Trace, at: At): void {
     const last = trace.steps.length - 1;
-    if (at !== "same") this.wanted = at === "end" ? "end" : 0;
+    if (at !== "same") this.wanted = at === "start" ? 0 : "end";
+    const wanted = at === "first" ? 0 : this.wanted;
     this.trace.value = trace;
-    this.step.value = this.wanted === "end" ? last : Math.min(this.wanted, last);
+    this.step.value = wanted === "end" ? last : Math.min(wanted, last);
     this.seen.value = this.step.value;
   }
 

@@ -2,7 +2,7 @@
 import type { Trace } from "../core.js";
 import { csvText } from "../view/csv.js";
 import { called, roles } from "../view/observers.js";
-import { stepRow } from "./row.js";
+import { stepRows } from "./row.js";
 
 export function csv(trace: Trace): string {
   const head = [
@@ -11,13 +11,12 @@ export function csv(trace: Trace): string {
     ...roles.flatMap((role) => [`${called[role]} symbol`, `${called[role]} states`, `${called[role]} goals`]),
     "goal difference",
   ];
-  const rows = trace.steps.map((shown, index) => {
-    const { step, action, observers, difference } = stepRow(shown, index);
+  const rows = stepRows(trace).map(({ step, action, observers, difference }) => {
     const seen = roles.flatMap((role) => {
       const { symbol, states, goals } = observers[role];
       return [symbol, states, goals.join("; ")];
     });
-    return [step, action, ...seen, difference];
+    return [step, action, ...seen, difference ?? ""];
   });
   return csvText([head, ...rows]);
 }

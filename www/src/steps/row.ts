@@ -1,5 +1,5 @@
 // One step as a row of words and numbers, for the table and for the file.
-import type { TraceStep } from "../core.js";
+import type { Trace } from "../core.js";
 import { stateCount } from "../stage/belief-size.js";
 import type { Mode } from "../state/boards.js";
 import { type Role, roles } from "../view/observers.js";
@@ -8,10 +8,15 @@ export interface StepRow {
   step: number;
   action: string;
   observers: Record<Role, { symbol: string; states: number; goals: readonly string[] }>;
-  difference: number;
+  /** At the end of a plan for the true goal; null at all other steps, where no plan ends. */
+  difference: number | null;
 }
 
-export function stepRow(shown: TraceStep, step: number): StepRow {
+export function stepRows({ steps, valid }: Trace): StepRow[] {
+  return steps.map((shown, step) => stepRow(shown, step, valid && step === steps.length - 1));
+}
+
+function stepRow(shown: Trace["steps"][number], step: number, ends: boolean): StepRow {
   const seen = (role: Role) => ({
     symbol: shown.symbols[role] ?? "",
     states: stateCount(shown, role),
@@ -21,7 +26,7 @@ export function stepRow(shown: TraceStep, step: number): StepRow {
     step,
     action: shown.action ?? "",
     observers: { adversarial: seen("adversarial"), cooperative: seen("cooperative") },
-    difference: shown.goal_difference,
+    difference: ends ? shown.goal_difference : null,
   };
 }
 

@@ -10,7 +10,7 @@ import { named, visible } from "../view/names.js";
 import { shortNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
 import { csv } from "./csv.js";
-import { rolesSeen, type StepRow, stepRow } from "./row.js";
+import { rolesSeen, type StepRow, stepRows } from "./row.js";
 
 export interface StepsTableStores {
   timeline: Timeline;
@@ -25,7 +25,7 @@ export function stepsTable(playground: StepsTableStores): TemplateResult | "" {
   const guessing = playground.boards.mode.value === "guess";
   const seen = rolesSeen(playground.boards.mode.value);
   // As the enemy one sees what has come, not what will.
-  const steps = guessing ? trace.steps.slice(0, timeline.step.value + 1) : trace.steps;
+  const rows = stepRows(trace).slice(0, guessing ? timeline.step.value + 1 : undefined);
   return html`<div class="steps">
     <div class="steps-scroll" tabindex="0" role="region" aria-label="Table of the steps">
       <table>
@@ -45,7 +45,7 @@ export function stepsTable(playground: StepsTableStores): TemplateResult | "" {
           </tr>
         </thead>
         <tbody>
-          ${steps.map((shown, index) => row(playground, stepRow(shown, index), seen, guessing))}
+          ${rows.map((step) => row(playground, step, seen, guessing))}
         </tbody>
       </table>
     </div>
@@ -72,7 +72,7 @@ function row(playground: StepsTableStores, step: StepRow, seen: readonly Role[],
         <td class="count">${states}</td>
         <td>${goals.length === 0 ? "none" : goals.length > MOST_NAMES ? `${goals.length} goals` : listed(goals)}</td>`;
     })}
-    ${guessing ? nothing : html`<td class="count">${shortNumber(step.difference)}</td>`}
+    ${guessing ? nothing : html`<td class="count">${step.difference === null ? "" : shortNumber(step.difference)}</td>`}
   </tr>`;
 }
 

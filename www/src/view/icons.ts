@@ -31,6 +31,8 @@ export const starPath = `M${Array.from({ length: 10 }, (_, corner) => {
 
 export const star = html`<svg class="icon star" viewBox="-1.1 -1.1 2.2 2.2" aria-hidden="true">${svg`<path d=${starPath}></path>`}</svg>`;
 export const possible = icon(svg`<circle cx="8" cy="8" r="5.5"></circle>`);
+/** Not possible now, and not ruled out. */
+export const notNow = icon(svg`<circle class="stroke" cx="8" cy="8" r="4.7"></circle>`);
 export const ruledOut = icon(svg`<path class="cross" d="M4 4l8 8M12 4l-8 8"></path>`);
 
 const eye = svg`<path class="line" d="M1 8s2.6-4.4 7-4.4S15 8 15 8s-2.6 4.4-7 4.4S1 8 1 8z"></path>`;

@@ -1,17 +1,25 @@
 // The two builds of the core. The page begins with the light one, which lacks PDDL and integer programs; the full one is
 // fetched the first time something needs it, and does everything from then on. Which things need it, the light core says.
+
 import initFull, { Problem as FullProblem } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";
+import type { Elimination } from "../core.js";
 import { WAITING } from "./names.js";
 import type { CoreMessage } from "./protocol.js";
 
-/** A core at work: it reads documents. */
-export interface Core {
-  Problem: new (document: string) => FullProblem;
+/** What the worker asks of a problem. */
+export interface Problem extends FullProblem {
+  elimination(plan: string[], observer: string, goal: string, step: number): Elimination | null;
 }
 
-const light: Core = { Problem: LightProblem };
-const full: Core = { Problem: FullProblem };
+/** A core at work: it reads documents. */
+export interface Core {
+  Problem: new (document: string) => Problem;
+}
+
+// Both are built from the same bindings.
+const light = { Problem: LightProblem } as unknown as Core;
+const full = { Problem: FullProblem } as unknown as Core;
 
 const NOT_LOADED =
   "The part of the program for PDDL and integer programs could not be loaded. Your problem is as it was. " +

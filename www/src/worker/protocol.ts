@@ -2,7 +2,17 @@
 //
 // Each request carries an id and all it needs, the problem document too: a worker that was lost can be replaced by
 // another without telling it anything first. A newer request makes every older one stale.
-import type { Advice, DocumentError, NextAction, Outcome, Progress, Scene, SolveOptions, Trace } from "../core.js";
+import type {
+  Advice,
+  DocumentError,
+  Eliminations,
+  NextAction,
+  Outcome,
+  Progress,
+  Scene,
+  SolveOptions,
+  Trace,
+} from "../core.js";
 
 /** What the page asks for. */
 export type Task =
@@ -13,6 +23,8 @@ export type Task =
   | { kind: "trace"; document: string; plan: string[] }
   /** Replay a plan, and tell what can be done after it. */
   | { kind: "walk"; document: string; plan: string[] }
+  /** Why a goal is not possible for each observer after a step of a plan. */
+  | { kind: "explain"; document: string; plan: string[]; goal: string; step: number }
   /** Why there is no plan with these options, and which change of one of them would allow one. */
   | { kind: "advise"; document: string; options: SolveOptions };
 
@@ -47,6 +59,7 @@ export type Answer =
   | { kind: "checked"; fault: Fault | null }
   | { kind: "traced"; trace: Trace }
   | { kind: "walked"; trace: Trace; next: NextAction[] }
+  | { kind: "explained"; eliminations: Eliminations }
   | { kind: "advised"; advice: Advice }
   /** The document, the plan or the options are wrong: `message` is for the person to read. */
   | { kind: "refused"; message: string }

@@ -1,7 +1,6 @@
 // The worker: the only place that runs the core. One task at a time; a newer one makes the older ones stale.
-import type { Problem } from "../../pkg/mo_copp.js";
-import type { SolveOptions } from "../core.js";
-import { type Core, loadFirst, onCore, takeCore } from "./cores.js";
+import type { Eliminations, SolveOptions } from "../core.js";
+import { type Core, loadFirst, onCore, type Problem, takeCore } from "./cores.js";
 import { failure, faultIn } from "./failure.js";
 import type { Answer, CoreMessage, Fault, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
@@ -57,11 +56,18 @@ function perform(core: Core, task: Task, id: number): Answer | Promise<Answer> {
       return { kind: "traced", trace: problem.overview(task.plan, MOST_STATES) };
     case "walk":
       return { kind: "walked", trace: problem.overview(task.plan, MOST_STATES), next: problem.next(task.plan) };
+    case "explain":
+      return { kind: "explained", eliminations: explained(problem, task) };
     case "solve":
       return solve(problem, task.options, id);
     case "advise":
       return advise(problem, task.options, id);
   }
+}
+
+function explained(problem: Problem, { plan, goal, step }: Extract<Task, { kind: "explain" }>): Eliminations {
+  const of = (observer: string) => problem.elimination(plan, observer, goal, step);
+  return { adversarial: of("adversarial"), cooperative: of("cooperative") };
 }
 
 function checked(core: Core, document: string): Fault | null {

@@ -3,7 +3,7 @@ import { nothing, svg } from "lit";
 import { starPath } from "../../view/icons.js";
 import type { BoardName } from "../board-input.js";
 import { type GoalView, goalViews } from "../goal-attributes.js";
-import { goalInWords, marks } from "../goal-marks.js";
+import { goalInWords, looks, marks } from "../goal-marks.js";
 import type { DeliveryInput } from "./facts.js";
 import { WIDTH } from "./layout.js";
 import { smallPackage } from "./package.js";
@@ -58,7 +58,7 @@ export function goalCards(name: BoardName, input: DeliveryInput, cards: Cards, t
 
 function card(name: BoardName, goal: GoalView, { width, size }: Cards, x: number, y: number) {
   const height = size + 0.4;
-  const look = name === "actor" ? "plain" : goal.alive[name] ? "alive" : "dead";
+  const look = name === "actor" ? "plain" : looks[goal.standing[name]];
   return svg`<g class="goal set ${look}" transform="translate(${x} ${y})" data-goal=${goal.name}
       data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
       ?data-true-goal=${goal.isTrue}>

@@ -1,5 +1,6 @@
 // One board: the same cells, walls and goals for everyone, and on top what this board is about. It can be edited by hand
 // and by keyboard (gesture/).
+
 import { html, nothing, svg, type TemplateResult } from "lit";
 import type { State } from "../../core.js";
 import { boardMarks } from "../../gesture/board-marks.js";
@@ -12,6 +13,7 @@ import { enlarged, isLarge } from "../../view/scale.js";
 import type { BoardName } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
 import type { BoardStores } from "../view.js";
+import { reasonMarks } from "../why.js";
 import { agent, path, start } from "./agent.js";
 import { cellLayer } from "./cell-layer.js";
 import { type Cell, cellOf, type GridInput, keysOf } from "./cells.js";
@@ -37,6 +39,7 @@ export function board(name: BoardName, input: GridInput, playground: BoardStores
     <g ${cellLayer({ width, height, walls, believed: keysOf(belief) })}></g>
     <path class="camera" d=${cameraCorners(camerasOn(name, playground), walls)}></path>
     <path class="dot" d=${dots(belief)}></path>
+    ${name === "actor" ? nothing : reasonMarks(name, playground)}
     ${start(scene.start, scene.goals, scale)}
     ${name === "actor" ? path(input.trace, input.step) : nothing}
     ${agent(name, scene, shown.state, playground.boards.mode.value === "guess", scale)}

@@ -7,7 +7,7 @@ import type { Place } from "../../view/goal-place.js";
 import { named } from "../../view/names.js";
 import type { BoardName } from "../board-input.js";
 import { type GoalView, isKnown } from "../goal-attributes.js";
-import { goalInWords } from "../goal-marks.js";
+import { goalInWords, looks } from "../goal-marks.js";
 
 /** From so many on, names and marks could not be read. */
 export const MANY_GOALS = 150;
@@ -95,7 +95,7 @@ function show(badge: Badge, { board, goals, places }: GoalsDrawn, index: number)
   badge.look = look;
   badge.title.textContent = words;
   const { group } = badge;
-  const kind = board === "actor" ? "plain" : goal.alive[board] ? "alive" : "dead";
+  const kind = board === "actor" ? "plain" : looks[goal.standing[board]];
   group.setAttribute("class", `goal ${kind}`);
   group.setAttribute("transform", `translate(${x} ${y}) scale(${scale})`);
   group.setAttribute("data-goal", goal.name);

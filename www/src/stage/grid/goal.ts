@@ -1,5 +1,5 @@
 // A candidate goal on a board: a badge with its name. On an observer's board it is filled while the goal is possible
-// for that observer, hollow and struck through when it is ruled out. On the agent's board it has a mark for each: a
+// for that observer, hollow while it is not, and struck through when it is ruled out. On the agent's board it has a mark for each: a
 // diamond for the enemy, a disc for the friend, filled while the goal is possible for them. The true goal has a star.
 
 import { nothing, svg } from "lit";
@@ -9,7 +9,7 @@ import { starPath } from "../../view/icons.js";
 import { named } from "../../view/names.js";
 import type { BoardName } from "../board-input.js";
 import type { GoalView } from "../goal-attributes.js";
-import { goalInWords, marks } from "../goal-marks.js";
+import { goalInWords, looks, marks } from "../goal-marks.js";
 import type { Cell } from "./cells.js";
 import { goalLayer, MANY_GOALS } from "./goal-layer.js";
 
@@ -26,7 +26,7 @@ export function goalMarks(board: BoardName, goals: readonly GoalView[], cells: r
 }
 
 function goalMark(board: BoardName, goal: GoalView, { x, y, scale }: Place) {
-  const look = board === "actor" ? "plain" : goal.alive[board] ? "alive" : "dead";
+  const look = board === "actor" ? "plain" : looks[goal.standing[board]];
   const label = shortened(visible(goal.name));
   return svg`<g class="goal ${look}" transform=${`translate(${x} ${y})${scale === 1 ? "" : ` scale(${scale})`}`}
       data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}

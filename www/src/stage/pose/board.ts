@@ -1,4 +1,5 @@
 // A board of a robot on a grid: the cells and goals of every grid, and on top what the domain adds.
+
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import { boardMarks } from "../../gesture/board-marks.js";
 import { boardBlur, boardFocus, boardKey } from "../../gesture/keys.js";
@@ -13,6 +14,7 @@ import { cellLayer } from "../grid/cell-layer.js";
 import { goalMarks } from "../grid/goal.js";
 import { dots, squares } from "../grid/marks.js";
 import type { BoardStores } from "../view.js";
+import { reasonMarks } from "../why.js";
 import { believedCells, keysOfCells, type PoseScene } from "./scene.js";
 
 const MARGIN = 0.06;
@@ -56,6 +58,7 @@ export function poseBoard(
     ${name === "actor" ? path(input) : nothing}
     ${parts.under}
     <path class="dot" d=${dots(believed)}></path>
+    ${name === "actor" ? nothing : reasonMarks(name, playground)}
     ${goalMarks(
       name,
       goalViews(scene, shown),
