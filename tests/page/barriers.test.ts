@@ -10,7 +10,7 @@ type State = [name: string, reach: (page: Page) => Promise<unknown>];
 
 /** Each goes on from the one before. */
 const states: State[] = [
-  ["idle", (page) => press(page, "Back one step")],
+  ["idle", (page) => press(page, "Forward one step")],
   ["a goal chosen", (page) => page.locator(".choose").nth(1).click()],
   [
     "Compare filled",

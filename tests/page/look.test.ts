@@ -41,7 +41,7 @@ for (const colorScheme of ["light", "dark"] as const) {
       async ({ page }) => {
         await statusIs(page, "optimal");
         await openTab(page, "Document");
-        await press(page, "Back one step");
+        await press(page, "Forward one step");
         await assertNoBarrier(page, `a document, ${colorScheme}`);
       },
       { colorScheme, reducedMotion: "reduce" },
@@ -76,6 +76,8 @@ for (const height of [568, 640, 720])
     visit(
       async ({ page }) => {
         await statusIs(page, "optimal");
+        await page.keyboard.press("End");
+        await page.locator(".difference .value", { hasText: "Goal difference" }).waitFor();
         const seen = new Set<string>();
         for (let count = 0; count < 60; count += 1) {
           await page.keyboard.press("Tab");
