@@ -181,7 +181,7 @@ export const glossary = (see: See): Definition[] => [
   },
   {
     ...{ term: "bound", name: "Bound and gap" },
-    meaning: html`While an integer program is solved: no plan can be better than the bound; the gap is how far the best one
+    meaning: html`While a solver looks for the best plan: no plan can be better than the bound; the gap is how far the best one
       found is below it.`,
   },
   {
