@@ -8,7 +8,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use mo_copp::pddl::{Grounded, More, ground, read_domain, read_task};
+use mo_copp::pddl::{ExtraInputs, Grounded, ground, read_domain, read_task};
 
 const FOLDER: &str = "MO_COPP_IPC";
 
@@ -37,7 +37,7 @@ fn tasks(folder: &Path) -> Vec<(String, usize, PathBuf, PathBuf)> {
 fn grounded(domain: &str, task: &str) -> Grounded {
     let domain = read_domain(domain).expect("a domain");
     let task = read_task(&domain, task).expect("a task");
-    ground(&domain, &task, &More::default()).expect("within the limits")
+    ground(&domain, &task, &ExtraInputs::default()).expect("within the limits")
 }
 
 fn main() {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use fixedbitset::FixedBitSet;
 
-use super::memo::Memo;
 use super::subsets::{Subsets, Successor};
+use super::transition_table::TransitionTable;
 use crate::limits::{LimitReached, Limits};
 use crate::sensor::{Sensor, Symbol};
 use crate::task::{StateId, StateSpace};
@@ -29,7 +29,7 @@ pub struct BeliefSpace {
     /// The symbol on each edge of the state space, in the same order.
     readings: Vec<Symbol>,
     sets: Subsets,
-    memo: Memo,
+    transitions: TransitionTable,
     /// Which beliefs have all their updates remembered.
     updated: FixedBitSet,
     successors: Vec<Successor>,
@@ -38,12 +38,12 @@ pub struct BeliefSpace {
 impl BeliefSpace {
     /// No belief yet.
     pub fn new(sensor: Arc<Sensor>) -> Self {
-        let memo = Memo::new(sensor.symbol_count());
+        let transitions = TransitionTable::new(sensor.symbol_count());
         Self {
             sensor,
             readings: Vec::new(),
             sets: Subsets::default(),
-            memo,
+            transitions,
             updated: FixedBitSet::new(),
             successors: Vec::new(),
         }
@@ -67,7 +67,7 @@ impl BeliefSpace {
     /// Bytes in use, counted by contents.
     pub fn bytes(&self) -> u64 {
         let readings = size_of::<Symbol>() * self.readings.len();
-        readings as u64 + self.sets.bytes() + self.memo.bytes()
+        readings as u64 + self.sets.bytes() + self.transitions.bytes()
     }
 
     /// The states of a belief, in the order of their numbers.
@@ -109,13 +109,13 @@ impl BeliefSpace {
         symbol: Symbol,
         limits: &Limits,
     ) -> Result<BeliefId, LimitReached> {
-        if let Some(known) = self.memo.get(belief.0, symbol.0) {
+        if let Some(known) = self.transitions.get(belief.0, symbol.0) {
             return Ok(BeliefId(known));
         }
         self.expand_members(states, belief, limits)?;
         let readings = &self.readings;
         let next = self.sets.image(states, belief, symbol.0, |edge| readings[edge].0);
-        self.memo.set(belief.0, symbol.0, next.0);
+        self.transitions.set(belief.0, symbol.0, next.0);
         Ok(next)
     }
 
@@ -138,7 +138,7 @@ impl BeliefSpace {
         let readings = &self.readings;
         self.sets.images(states, belief, |edge| readings[edge].0, &mut found);
         for next in &found {
-            self.memo.set(belief.0, next.label, next.set.0);
+            self.transitions.set(belief.0, next.label, next.set.0);
         }
         self.successors = found;
         self.updated.grow_and_insert(belief.index());

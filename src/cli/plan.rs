@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use mo_copp::limits::{LimitReached, Limits};
 use mo_copp::pddl::{
-    Domain, GroundError, More, PddlError, TaskDefinition, ground, read_domain, read_task,
+    Domain, ExtraInputs, GroundError, PddlError, TaskDefinition, ground, read_domain, read_task,
 };
 use mo_copp::report::{PlanReport, PlanStats};
 use mo_copp::solver::{ClassicalRun, SolveError, Stats, Status};
@@ -96,7 +96,7 @@ fn plan(
     let mut stats = PlanStats::default();
     // What is asked of the watcher here is whether somebody wants to stop.
     let _ = watcher.slice(|| Step { stats, search: None });
-    let grounded = match ground(domain, task, &More::default()) {
+    let grounded = match ground(domain, task, &ExtraInputs::default()) {
         Ok(grounded) => grounded,
         Err(GroundError::Internal(error)) => return Err(SolveError::Replay(error)),
         Err(limit) => return Ok(stopped(limit.to_string(), stats)),

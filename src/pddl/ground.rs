@@ -78,7 +78,7 @@ pub enum GroundError {
 
 /// What is asked of the grounding beside the task itself.
 #[derive(Debug, Clone, Default)]
-pub struct More {
+pub struct ExtraInputs {
     /// Further states that something may begin in, each complete like an `:init`. The operators
     /// are those that can apply after any of them.
     pub states: Vec<Vec<Atom>>,
@@ -142,7 +142,7 @@ impl Grounded {
 /// [`GroundError`] where a limit is met.
 ///
 /// ```
-/// use mo_copp::pddl::{More, ground, read_domain, read_task};
+/// use mo_copp::pddl::{ExtraInputs, ground, read_domain, read_task};
 /// let domain = read_domain(
 ///     "(define (domain lamps) (:predicates (lit ?x) (near ?x))
 ///        (:action switch :parameters (?x) :precondition (near ?x) :effect (lit ?x)))",
@@ -151,7 +151,7 @@ impl Grounded {
 ///     &domain,
 ///     "(define (problem two) (:domain lamps) (:objects a b) (:init (near a)) (:goal (lit a)))",
 /// )?;
-/// let grounded = ground(&domain, &task, &More::default())?;
+/// let grounded = ground(&domain, &task, &ExtraInputs::default())?;
 /// let facts: Vec<_> = grounded.task.facts().map(|f| grounded.task.fact_name(f)).collect();
 /// assert_eq!(facts, ["(lit a)"]);
 /// assert_eq!(grounded.task.action_count(), 1);
@@ -160,18 +160,19 @@ impl Grounded {
 pub fn ground(
     domain: &Domain,
     task: &TaskDefinition,
-    more: &More,
+    extra: &ExtraInputs,
 ) -> Result<Grounded, GroundError> {
     let rules: Vec<Rule<'_>> = (0..domain.schemas.len())
         .filter_map(|number| Rule::new(domain, number, &task.objects))
         .collect();
     let states: Vec<&[Atom]> =
-        std::iter::once(&task.initial).chain(&more.states).map(Vec::as_slice).collect();
+        std::iter::once(&task.initial).chain(&extra.states).map(Vec::as_slice).collect();
     let initial: Vec<&Atom> = states.iter().copied().flatten().collect();
     let reached = reach(domain, &rules, &task.objects, &initial)?;
     let Operators { mut atoms, mut operators, mut drafts } =
         operators(domain, task, &rules, reached)?;
-    let conditions: Vec<&Condition> = std::iter::once(&task.goal).chain(&more.conditions).collect();
+    let conditions: Vec<&Condition> =
+        std::iter::once(&task.goal).chain(&extra.conditions).collect();
     let (derived, conditions) = derive(&conditions, domain.predicates.len(), &mut atoms);
     if atoms.len() > MAX_ATOMS {
         return Err(GroundError::Atoms { limit: MAX_ATOMS });

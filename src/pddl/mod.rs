@@ -58,8 +58,8 @@ pub use error::PddlError;
 pub use expression::MAX_DEPTH;
 pub use formula::{Bound, Formula};
 pub use ground::{
-    GroundError, Grounded, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS, MAX_STATE_BYTES, More,
-    ground,
+    ExtraInputs, GroundError, Grounded, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS,
+    MAX_STATE_BYTES, ground,
 };
 pub use ground_formula::GroundFormula;
 pub use join::MAX_JOIN_STEPS;

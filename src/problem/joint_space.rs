@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 
 use super::tuples::Tuples;
 use super::{Problem, SurvivorCounts};
-use crate::belief::{BeliefId, BeliefSpace, Memo};
+use crate::belief::{BeliefId, BeliefSpace, TransitionTable};
 use crate::goal_difference::{GoalSet, Survivors};
 use crate::limits::{LimitReached, Limits};
 use crate::sensor::Symbol;
@@ -52,7 +52,7 @@ pub struct JointSpace {
     combinations: Vec<u32>,
     combination_numbers: FxHashMap<Vec<u32>, u32>,
     direct: bool,
-    memo: Memo,
+    transitions: TransitionTable,
     survivors: Survivors,
     counts: Vec<Option<SurvivorCounts>>,
     scratch: Vec<u32>,
@@ -80,7 +80,7 @@ impl JointSpace {
             combinations: Vec::new(),
             combination_numbers: FxHashMap::default(),
             direct,
-            memo: Memo::new(combinations),
+            transitions: TransitionTable::new(combinations),
             survivors: Survivors::new(goals, beliefs.len()),
             counts: Vec::new(),
             scratch: Vec::new(),
@@ -124,7 +124,11 @@ impl JointSpace {
         let own =
             4 * self.combinations.len() + size_of::<Option<SurvivorCounts>>() * self.counts.len();
         let beliefs: u64 = self.beliefs.iter().map(BeliefSpace::bytes).sum();
-        self.states.bytes() + beliefs + own as u64 + self.profiles.bytes() + self.memo.bytes()
+        self.states.bytes()
+            + beliefs
+            + own as u64
+            + self.profiles.bytes()
+            + self.transitions.bytes()
     }
 
     /// The initial state with the initial beliefs.
@@ -202,7 +206,7 @@ impl JointSpace {
     /// The profile that follows when the actor takes an edge.
     fn follow(&mut self, profile: ProfileId, edge: usize) -> Result<ProfileId, LimitReached> {
         let combination = self.combinations[edge];
-        if let Some(known) = self.memo.get(profile.0, combination) {
+        if let Some(known) = self.transitions.get(profile.0, combination) {
             return Ok(ProfileId(known));
         }
         let mut next = Vec::with_capacity(self.beliefs.len());
@@ -212,7 +216,7 @@ impl JointSpace {
             next.push(beliefs.update(&mut self.states, belief, symbol, &self.limits)?.0);
         }
         let next = self.profiles.intern(&next);
-        self.memo.set(profile.0, combination, next);
+        self.transitions.set(profile.0, combination, next);
         Ok(ProfileId(next))
     }
 

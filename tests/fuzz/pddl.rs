@@ -1,6 +1,6 @@
 //! PDDL: a domain and a task in one text, whose lists are moved, doubled, left out and taken from other domains.
 
-use mo_copp::pddl::{More, ground, read_condition, read_domain, read_state, read_task};
+use mo_copp::pddl::{ExtraInputs, ground, read_condition, read_domain, read_state, read_task};
 use serde_json::Value;
 
 use crate::dice::Dice;
@@ -54,7 +54,7 @@ impl Target for Pddl {
             Ok(task) => task,
             Err(error) => return shape(&error.to_string()),
         };
-        let mut more = More::default();
+        let mut more = ExtraInputs::default();
         for condition in ["(and)", "(not (at a b))"] {
             more.conditions.extend(read_condition(&domain, &task, condition));
         }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-use mo_copp::pddl::{More, ground, read_condition, read_domain, read_task};
+use mo_copp::pddl::{ExtraInputs, ground, read_condition, read_domain, read_task};
 use mo_copp::task::{State, Task};
 
 use crate::common::Dice;
@@ -402,7 +402,7 @@ pub fn compare(worlds: usize) -> (usize, usize) {
             read_condition(&domain, &task, &written(goal, 0))
                 .unwrap_or_else(|error| panic!("{error}\n{}", place()))
         });
-        let more = More { states: Vec::new(), conditions: conditions.collect() };
+        let more = ExtraInputs { states: Vec::new(), conditions: conditions.collect() };
         let grounded =
             ground(&domain, &task, &more).unwrap_or_else(|error| panic!("{error}\n{}", place()));
         several += usize::from(grounded.task.operators().len() > grounded.task.action_count());

@@ -1,6 +1,6 @@
 //! Tasks that would never fit: each meets a limit that is named, after a bounded amount of work.
 
-use mo_copp::pddl::{GroundError, More, ground, read_domain, read_task};
+use mo_copp::pddl::{ExtraInputs, GroundError, ground, read_domain, read_task};
 
 fn numbered(count: usize, piece: &str) -> String {
     (0..count).map(|number| format!(" {piece}{number}")).collect()
@@ -15,7 +15,7 @@ fn error(predicates: &str, action: &str, objects: usize, init: &str) -> GroundEr
         numbered(objects, "o")
     );
     let task = read_task(&domain, &task).unwrap();
-    ground(&domain, &task, &More::default()).map(|_| ()).unwrap_err()
+    ground(&domain, &task, &ExtraInputs::default()).map(|_| ()).unwrap_err()
 }
 
 #[test]

@@ -6,7 +6,9 @@
 
 use std::cell::Cell;
 
-use mo_copp::pddl::{MAX_DEPTH, More, ground, read_condition, read_domain, read_state, read_task};
+use mo_copp::pddl::{
+    ExtraInputs, MAX_DEPTH, ground, read_condition, read_domain, read_state, read_task,
+};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 
@@ -39,7 +41,7 @@ fn runner(seed: u64, cases: u32) -> TestRunner {
 fn survives(domain: &str, task: &str) -> bool {
     let Ok(domain) = read_domain(domain) else { return false };
     let Ok(task) = read_task(&domain, task) else { return false };
-    let mut more = More::default();
+    let mut more = ExtraInputs::default();
     for text in ["(and)", "(not (at c a))", "(and (on a b) (not (on b a)))"] {
         more.conditions.extend(read_condition(&domain, &task, text));
     }

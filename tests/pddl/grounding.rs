@@ -1,6 +1,8 @@
 //! Small tasks whose grounding was worked out by hand.
 
-use mo_copp::pddl::{Grounded, More, ground, read_condition, read_domain, read_state, read_task};
+use mo_copp::pddl::{
+    ExtraInputs, Grounded, ground, read_condition, read_domain, read_state, read_task,
+};
 
 use super::{BLOCKS, THREE_BLOCKS, grounded};
 
@@ -144,9 +146,9 @@ fn further_states_and_conditions() {
        (:init (at a) (road a b) (road c d)) (:goal (at b)))";
     let domain = read_domain(domain).unwrap();
     let task = read_task(&domain, task).unwrap();
-    let alone = ground(&domain, &task, &More::default()).unwrap();
+    let alone = ground(&domain, &task, &ExtraInputs::default()).unwrap();
     assert_eq!(actions(&alone), ["(go a b)"]);
-    let more = More {
+    let more = ExtraInputs {
         // In the second the road from a is not known to be there.
         states: vec![
             read_state(&domain, &task, "(at c) (road a b) (road c d)").unwrap(),
@@ -188,7 +190,7 @@ fn limits_are_named() {
     let task =
         format!("(define (problem p) (:domain d) (:objects {objects}) (:goal (p o0 o0 o0)))");
     let task = read_task(&domain, &task).unwrap();
-    let error = ground(&domain, &task, &More::default()).map(|_| ()).unwrap_err();
+    let error = ground(&domain, &task, &ExtraInputs::default()).map(|_| ()).unwrap_err();
     assert_eq!(error.to_string(), "grounding limit reached: 1000000 operators");
     // Much to try and nothing to find.
     let many: String = (0..8).map(|number| format!(" ?x{number}")).collect();
@@ -205,6 +207,6 @@ fn limits_are_named() {
         "(define (problem p) (:domain d) (:objects {objects}) (:init {pairs} {extra}) (:goal (q o0 o1)))"
     );
     let task = read_task(&domain, &task).unwrap();
-    let error = ground(&domain, &task, &More::default()).map(|_| ()).unwrap_err();
+    let error = ground(&domain, &task, &ExtraInputs::default()).map(|_| ()).unwrap_err();
     assert!(error.to_string().starts_with("grounding limit reached: "), "{error}");
 }

@@ -5,7 +5,7 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use mo_copp::pddl::{Grounded, More, ground, read_domain, read_task};
+use mo_copp::pddl::{ExtraInputs, Grounded, ground, read_domain, read_task};
 
 const FOLDER: &str = "MO_COPP_IPC";
 
@@ -43,7 +43,8 @@ fn grounded(domain: &Path, task: &Path) -> Grounded {
     let read = read_domain(&text(domain)).unwrap_or_else(|e| panic!("{}: {e}", shown(domain)));
     let task_read =
         read_task(&read, &text(task)).unwrap_or_else(|e| panic!("{}: {e}", shown(task)));
-    ground(&read, &task_read, &More::default()).unwrap_or_else(|e| panic!("{}: {e}", shown(task)))
+    ground(&read, &task_read, &ExtraInputs::default())
+        .unwrap_or_else(|e| panic!("{}: {e}", shown(task)))
 }
 
 #[test]

@@ -14,13 +14,13 @@ mod oracle;
 mod pyperplan;
 mod reading;
 
-use mo_copp::pddl::{Grounded, More, ground, read_domain, read_task};
+use mo_copp::pddl::{ExtraInputs, Grounded, ground, read_domain, read_task};
 
 /// Reads and grounds two texts.
 pub fn grounded(domain: &str, task: &str) -> Grounded {
     let domain = read_domain(domain).unwrap();
     let task = read_task(&domain, task).unwrap();
-    ground(&domain, &task, &More::default()).unwrap()
+    ground(&domain, &task, &ExtraInputs::default()).unwrap()
 }
 
 /// Blocksworld with four actions, in our own words.

@@ -3,7 +3,9 @@
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-use mo_copp::pddl::{Grounded, More, ground, read_condition, read_domain, read_state, read_task};
+use mo_copp::pddl::{
+    ExtraInputs, Grounded, ground, read_condition, read_domain, read_state, read_task,
+};
 use mo_copp::task::State;
 
 use crate::common::Dice;
@@ -381,7 +383,7 @@ fn check(world: &World, seen: &mut Seen) {
     let condition =
         |goal: &Vec<Literal>| read_condition(&domain, &task, &World::conjunction(goal)).unwrap();
     let state = |state: &Atoms| read_state(&domain, &task, &World::state(state)).unwrap();
-    let more = More {
+    let more = ExtraInputs {
         states: world.states[1..].iter().map(state).collect(),
         conditions: world.goals[1..].iter().map(condition).collect(),
     };

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use mo_copp::domain::generate::Domain;
 use mo_copp::limits::Limits;
-use mo_copp::pddl::{More, ground, read_domain, read_task};
+use mo_copp::pddl::{ExtraInputs, ground, read_domain, read_task};
 use mo_copp::solver::ClassicalRun;
 use serde_json::Value;
 
@@ -67,7 +67,7 @@ fn plan(domain: &Path, task: &Path) -> Option<Vec<String>> {
     let text = |path: &Path| std::fs::read_to_string(path).unwrap();
     let domain = read_domain(&text(domain)).unwrap();
     let task = read_task(&domain, &text(task)).unwrap();
-    let task = Arc::new(ground(&domain, &task, &More::default()).unwrap().task);
+    let task = Arc::new(ground(&domain, &task, &ExtraInputs::default()).unwrap().task);
     let limits = Limits { expansions: EXPANSIONS, ..Limits::default() };
     let mut run = ClassicalRun::new(Arc::clone(&task), limits);
     while !run.advance(100) {}

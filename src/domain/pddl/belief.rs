@@ -10,7 +10,7 @@ use super::build::{Texts, at, limit};
 use super::{Pddl, PddlBelief, PddlObserver, PddlState};
 use crate::document::DocumentError;
 use crate::pddl::{
-    Atom, Grounded, More, read_atoms, read_condition, read_literals, read_state, unchanging,
+    Atom, ExtraInputs, Grounded, read_atoms, read_condition, read_literals, read_state, unchanging,
 };
 use crate::task::{State, StateId, StateSpace};
 
@@ -22,7 +22,7 @@ const MAX_ATOMS: usize = if cfg!(target_arch = "wasm32") { 1_000_000 } else { 10
 const MAX_STATES: usize = if cfg!(target_arch = "wasm32") { 200_000 } else { 1_000_000 };
 const MAX_BYTES: u64 = if cfg!(target_arch = "wasm32") { 64 << 20 } else { 512 << 20 };
 
-/// An initial belief whose texts are read; states and conditions by their positions in [`More`].
+/// An initial belief whose texts are read; states and conditions by their positions in [`ExtraInputs`].
 pub(super) enum Believed {
     /// The initial state alone.
     Start,
@@ -37,7 +37,7 @@ impl Believed {
         texts: &Texts,
         fixed: &Fixed,
         path: &str,
-        more: &mut More,
+        extra: &mut ExtraInputs,
     ) -> Result<Self, DocumentError> {
         let path = format!("{path}.initial_belief");
         match &observer.initial_belief {
@@ -55,8 +55,8 @@ impl Believed {
                         expected,
                     ));
                 }
-                more.conditions.push(condition);
-                Ok(Self::Reachable(more.conditions.len() - 1))
+                extra.conditions.push(condition);
+                Ok(Self::Reachable(extra.conditions.len() - 1))
             }
             Some(PddlBelief::States(states)) => {
                 // A belief is a set: millions of equal states take no more room than one.
@@ -76,9 +76,9 @@ impl Believed {
                     let expected = "the initial state among them, as in {}";
                     return Err(DocumentError::invalid(path, found, expected));
                 }
-                let begin = more.states.len();
-                more.states.extend(listed);
-                Ok(Self::States(begin..more.states.len()))
+                let begin = extra.states.len();
+                extra.states.extend(listed);
+                Ok(Self::States(begin..extra.states.len()))
             }
         }
     }

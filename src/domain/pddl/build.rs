@@ -8,7 +8,7 @@ use super::sensor::{Eye, Readings};
 use crate::document::DocumentError;
 use crate::domain::observers::{true_goal, unexpected};
 use crate::pddl::{
-    Condition, Domain, GroundError, Grounded, More, PddlError, TaskDefinition, ground,
+    Condition, Domain, ExtraInputs, GroundError, Grounded, PddlError, TaskDefinition, ground,
     read_condition, read_domain, read_open_task,
 };
 use crate::problem::{Goal, Observer, Problem, StateNaming};
@@ -32,16 +32,16 @@ impl Pddl {
         let names: Vec<&str> = self.goals.iter().map(|goal| goal.name.as_str()).collect();
         let true_goal = true_goal(&names, &self.true_goal)?;
         let texts = self.texts(true_goal)?;
-        let mut more = More { states: Vec::new(), conditions: texts.goals.clone() };
+        let mut extra = ExtraInputs { states: Vec::new(), conditions: texts.goals.clone() };
         let fixed = Fixed::new(self, &texts)?;
         let mut eyes = Vec::new();
         let mut beliefs = Vec::new();
         for (role, observer) in self.observers.iter() {
             let path = format!("observers.{}", role.name());
             eyes.push(Eye::new(observer, &texts, &path)?);
-            beliefs.push(Believed::read(observer, &texts, &fixed, &path, &mut more)?);
+            beliefs.push(Believed::read(observer, &texts, &fixed, &path, &mut extra)?);
         }
-        let (grounded, readings) = grounded(&texts, &mut more, &eyes)?;
+        let (grounded, readings) = grounded(&texts, &mut extra, &eyes)?;
         let goals = self.goals.iter().zip(&grounded.conditions).enumerate();
         let condition = |(index, condition): (usize, &Option<Vec<Fact>>)| match condition {
             _ if index == true_goal => grounded.task.goal().to_vec(),
@@ -118,18 +118,19 @@ pub(super) fn limit(error: &GroundError) -> DocumentError {
 /// them, so that a fact stands for each negation. That changes no operator.
 fn grounded(
     texts: &Texts,
-    more: &mut More,
+    extra: &mut ExtraInputs,
     eyes: &[Eye<'_>],
 ) -> Result<(Grounded, Vec<Readings>), DocumentError> {
-    let ground = |more: &More| ground(&texts.domain, &texts.task, more).map_err(|e| limit(&e));
-    let grounded = ground(more)?;
-    let before = more.conditions.len();
+    let ground =
+        |extra: &ExtraInputs| ground(&texts.domain, &texts.task, extra).map_err(|e| limit(&e));
+    let grounded = ground(extra)?;
+    let before = extra.conditions.len();
     let mut readings = Vec::new();
     for eye in eyes {
-        readings.push(eye.readings(texts, &grounded, &mut more.conditions)?);
+        readings.push(eye.readings(texts, &grounded, &mut extra.conditions)?);
     }
-    if more.conditions.len() == before {
+    if extra.conditions.len() == before {
         return Ok((grounded, readings));
     }
-    Ok((ground(more)?, readings))
+    Ok((ground(extra)?, readings))
 }

@@ -14,7 +14,7 @@
 
 use fixedbitset::FixedBitSet;
 
-use crate::belief::{BeliefId, Memo};
+use crate::belief::{BeliefId, TransitionTable};
 use crate::goal_difference::GoalSet;
 use crate::heuristic::{GoalValues, UNREACHABLE};
 use crate::limits::LimitReached;
@@ -64,7 +64,7 @@ pub(super) struct BeliefSamples {
     states: Vec<StateId>,
     /// A row of values for each sample, of which the first is `NO_VALUE` until they are worked out.
     values: Vec<u32>,
-    memo: Memo,
+    transitions: TransitionTable,
     /// The sample of each belief that was known when it was made.
     of_beliefs: Vec<u32>,
     found: Vec<StateId>,
@@ -81,7 +81,7 @@ impl BeliefSamples {
             origins: Vec::new(),
             states: Vec::new(),
             values: Vec::new(),
-            memo: Memo::new(joint.beliefs(observer).sensor().symbol_count()),
+            transitions: TransitionTable::new(joint.beliefs(observer).sensor().symbol_count()),
             of_beliefs: Vec::new(),
             found: Vec::new(),
         }
@@ -90,7 +90,7 @@ impl BeliefSamples {
     /// Bytes in use, counted by contents.
     pub(super) fn bytes(&self) -> u64 {
         let numbers = self.states.len() + self.values.len() + self.of_beliefs.len();
-        (size_of::<Origin>() * self.origins.len() + 4 * numbers) as u64 + self.memo.bytes()
+        (size_of::<Origin>() * self.origins.len() + 4 * numbers) as u64 + self.transitions.bytes()
     }
 
     /// The full belief, where it is known.
@@ -154,7 +154,7 @@ impl BeliefSamples {
         symbol: Symbol,
         truth: StateId,
     ) -> Result<SampleId, LimitReached> {
-        if let Some(known) = self.memo.get(sample.0, symbol.0) {
+        if let Some(known) = self.transitions.get(sample.0, symbol.0) {
             return Ok(SampleId(known));
         }
         let next = match self.whole(joint, sample) {
@@ -168,7 +168,7 @@ impl BeliefSamples {
                 self.add(sample.0, symbol, UNKNOWN)
             }
         };
-        self.memo.set(sample.0, symbol.0, next.0);
+        self.transitions.set(sample.0, symbol.0, next.0);
         Ok(next)
     }
 

@@ -1,4 +1,4 @@
-//! A memory of (number, number) → number, dense where the second number is small.
+//! Transition table: (number, number) → number, dense where the second number is small.
 
 use rustc_hash::FxHashMap;
 
@@ -8,7 +8,7 @@ const EMPTY: u32 = u32::MAX;
 
 /// Remembers which number follows from a row and a column.
 #[derive(Debug, Clone)]
-pub enum Memo {
+pub enum TransitionTable {
     /// One array cell for each column of each row met.
     Dense {
         /// Columns in a row.
@@ -20,8 +20,8 @@ pub enum Memo {
     Sparse(FxHashMap<(u32, u32), u32>),
 }
 
-impl Memo {
-    /// An empty memory for columns below `columns`.
+impl TransitionTable {
+    /// An empty table for columns below `columns`.
     pub fn new(columns: usize) -> Self {
         if columns <= DENSE_WIDTH {
             Self::Dense { width: columns, cells: Vec::new() }
