@@ -37,6 +37,23 @@ pub(super) fn picture(error: &PictureError) -> JsValue {
     }
 }
 
+/// An `ImportError`, with the place in the file as properties where there is one.
+#[cfg(feature = "full")]
+pub(super) fn import(error: &crate::domain::pddl::import::ImportError) -> JsValue {
+    use crate::domain::pddl::import::ImportError;
+    let value = thrown("ImportError", &error.to_string());
+    match error {
+        ImportError::Place { file, line, column, .. } => {
+            set(&value, "file", file.into());
+            set(&value, "line", JsValue::from(u32::try_from(*line).unwrap_or(u32::MAX)));
+            set(&value, "column", JsValue::from(u32::try_from(*column).unwrap_or(u32::MAX)));
+        }
+        ImportError::File { file, .. } => set(&value, "file", file.into()),
+        ImportError::Option { .. } => {}
+    }
+    value
+}
+
 /// A `SolveError`; an `OptionsError` where the options do not fit, and [`NEEDS_FULL_CORE`].
 pub(super) fn solve(error: &SolveError) -> JsValue {
     match error {

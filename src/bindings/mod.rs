@@ -61,6 +61,27 @@ fn now() -> f64 {
     performance.map_or(0.0, |found| found.unchecked_into::<web_sys::Performance>().now())
 }
 
+/// Makes a document of the files of a goal-recognition problem: `domain.pddl`, `template.pddl`, `hyps.dat`,
+/// `real_hyp.dat` and perhaps `obs.dat`; files of other names are passed over. Throws an `ImportError` that names the
+/// file and the place in it.
+#[cfg(feature = "full")]
+#[wasm_bindgen(js_name = importGoalRecognition)]
+pub fn import_goal_recognition(
+    files: types::ImportFilesJs,
+    options: Option<types::ImportOptionsJs>,
+) -> Result<types::ImportedJs, JsValue> {
+    let text = |value: &JsValue| js_sys::JSON::stringify(value).map(String::from);
+    let files = crate::report::read_import_files(&text(&files)?);
+    let files = files.map_err(|e| error::options(&e))?;
+    let options = match options {
+        Some(options) => crate::report::read_import_options(&text(&options)?),
+        None => Ok(crate::domain::pddl::import::ImportOptions::default()),
+    };
+    let options = options.map_err(|e| error::options(&e))?;
+    let report = crate::report::ImportReport::new(&files, &options);
+    to_js(&report.map_err(|e| error::import(&e))?)
+}
+
 /// A problem made of a document.
 #[wasm_bindgen]
 #[derive(Debug)]

@@ -38,6 +38,23 @@ export interface DocumentError extends Error {
   expected?: string;
 }
 
+/** A file of a goal-recognition problem. */
+export interface ImportFile { name: string; text: string }
+/** What the files of a goal-recognition problem leave open. Sensors are templates of symbols, `{name}` and `{name} {1}`
+ * when left out; the true goal is a number in `hyps.dat`, from 1, in place of `real_hyp.dat`. */
+export interface ImportOptions {
+  adversarial_sensor?: string;
+  cooperative_sensor?: string;
+  /** Objects that look alike, by the name under which the observer sees them. */
+  adversarial_groups?: Record<string, string[]>;
+  cooperative_groups?: Record<string, string[]>;
+  true_goal?: number;
+}
+/** A document as JSON text, the actions of `obs.dat` (a plan or some of one), and what was left out. */
+export interface Imported { document: string; observations: string[] | null; notes: string[] }
+/** What files that cannot be imported throw. */
+export interface ImportError extends Error { name: "ImportError"; file?: string; line?: number; column?: number }
+
 export interface SolveOptions {
   solver: SolverName;
   encoding?: EncodingName;
@@ -233,6 +250,20 @@ export interface PddlScene extends SceneBase {
 export type Scene =
   GridworldScene | BoxPushingScene | RecyclingRobotScene | DeliveryScene | ExplicitScene | PddlScene;
 "#;
+
+#[cfg(feature = "full")]
+#[wasm_bindgen]
+extern "C" {
+    /// Files to import.
+    #[wasm_bindgen(typescript_type = "ImportFile[]")]
+    pub type ImportFilesJs;
+    /// Options of an import.
+    #[wasm_bindgen(typescript_type = "ImportOptions")]
+    pub type ImportOptionsJs;
+    /// A document made of files.
+    #[wasm_bindgen(typescript_type = "Imported")]
+    pub type ImportedJs;
+}
 
 #[wasm_bindgen]
 extern "C" {

@@ -44,8 +44,50 @@ pub enum Command {
     Picture(PictureArgs),
     /// Print a random problem document.
     Generate(GenerateArgs),
+    /// Make a document of a goal-recognition problem.
+    Import(ImportArgs),
     /// Repeat the paper's experiments: records, tables, figures.
     Experiment(ExperimentArgs),
+}
+
+/// Make a document of a goal-recognition problem.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+FOLDER or ARCHIVE (.tar.bz2, .tar.gz, .tar, .zip) holds domain.pddl, template.pddl, hyps.dat, real_hyp.dat
+and perhaps obs.dat, as in the goal-recognition literature.
+
+Examples:
+  mo-copp import block-words_p01 > blocks.json
+  mo-copp import problem.tar.bz2 --true-goal 3 --out blocks.json --plan-out plan.txt
+  mo-copp import problem.zip --all --out documents")]
+pub struct ImportArgs {
+    /// A folder or an archive with the files of one problem.
+    #[arg(value_name = "FOLDER|ARCHIVE")]
+    pub source: PathBuf,
+    /// What the enemy sees of each action: a template of symbols.
+    #[arg(long, value_name = "TEMPLATE", default_value = "{name}")]
+    pub adversarial_sensor: String,
+    /// What the friend sees of each action.
+    #[arg(long, value_name = "TEMPLATE", default_value = "{name} {1}")]
+    pub cooperative_sensor: String,
+    /// Objects that look alike to the enemy, as in box=a,b. May be given several times.
+    #[arg(long, value_name = "NAME=OBJECTS")]
+    pub adversarial_group: Vec<String>,
+    /// Objects that look alike to the friend. May be given several times.
+    #[arg(long, value_name = "NAME=OBJECTS")]
+    pub cooperative_group: Vec<String>,
+    /// The true goal: the hypothesis of this number in hyps.dat, from 1, in place of that of real_hyp.dat.
+    #[arg(long, value_name = "N", conflicts_with = "all")]
+    pub true_goal: Option<usize>,
+    /// One document for each hypothesis as true goal: one a line, or files G1.json, G2.json, … in the folder --out.
+    #[arg(long)]
+    pub all: bool,
+    /// Where to write the document, instead of the standard output; with --all a folder.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Where to write the actions of obs.dat as a plan for trace --plan-file, if they are a whole plan for the true goal.
+    #[arg(long, value_name = "FILE", conflicts_with = "all")]
+    pub plan_out: Option<PathBuf>,
 }
 
 /// What the plan must achieve.

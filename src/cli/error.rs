@@ -2,6 +2,7 @@
 
 use mo_copp::document::DocumentError;
 use mo_copp::domain::generate::GenerateError;
+use mo_copp::domain::pddl::import::ImportError;
 use mo_copp::experiment::ExperimentError;
 use mo_copp::limits::LimitReached;
 use mo_copp::pddl::PddlError;
@@ -57,6 +58,9 @@ pub enum CliError {
     /// Nothing can be generated.
     #[error("{0}")]
     Generate(#[from] GenerateError),
+    /// Files that cannot be imported.
+    #[error("{0}")]
+    Import(#[from] ImportError),
     /// A solver broke down.
     #[error("{0}")]
     Solve(#[from] SolveError),

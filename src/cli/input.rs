@@ -15,8 +15,8 @@ use super::error::CliError;
 /// The largest file that is read.
 const MAX_BYTES: u64 = mo_copp::limits::MAX_TEXT_BYTES as u64;
 
-/// A file as text; `-` for the standard input.
-pub fn text(path: &Path) -> Result<String, CliError> {
+/// The bytes of a file; `-` for the standard input.
+pub fn bytes(path: &Path) -> Result<Vec<u8>, CliError> {
     let file = path.display().to_string();
     let failed =
         |reason: std::io::Error| CliError::Read { file: file.clone(), reason: reason.to_string() };
@@ -32,6 +32,13 @@ pub fn text(path: &Path) -> Result<String, CliError> {
         let reason = format!("found more than {} MiB, expected at most that", MAX_BYTES >> 20);
         return Err(CliError::Read { file, reason });
     }
+    Ok(bytes)
+}
+
+/// A file as text; `-` for the standard input.
+pub fn text(path: &Path) -> Result<String, CliError> {
+    let file = path.display().to_string();
+    let mut bytes = bytes(path)?;
     // Some editors begin a text with a mark of its encoding.
     if bytes.starts_with("\u{feff}".as_bytes()) {
         bytes.drain(.."\u{feff}".len());

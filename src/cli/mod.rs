@@ -8,6 +8,7 @@ mod encode;
 mod error;
 mod experiment;
 mod generate;
+mod import;
 mod input;
 mod interrupt;
 mod picture;
@@ -46,6 +47,7 @@ pub fn main() -> ExitCode {
         Command::Picture(args) => unless_stopped(move || picture::run(&args)),
         Command::Plan(args) => plan::run(&args),
         Command::Generate(args) => unless_stopped(move || generate::run(&args)),
+        Command::Import(args) => unless_stopped(move || import::run(&args)),
         Command::Experiment(args) => experiment::run_command(&args),
     };
     match done {

@@ -1,6 +1,6 @@
 //! Domains: types, constants, predicates and action schemas.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::FxHashMap;
 
 use super::atom::Scope;
 use super::cost::Functions;
@@ -30,6 +30,12 @@ pub struct Domain {
 }
 
 impl Domain {
+    /// The position of the first action of the name that the one at a position has.
+    pub fn first_case(&self, schema: usize) -> usize {
+        let name = &self.schemas[schema].name;
+        self.schemas.iter().position(|other| other.name == *name).unwrap_or(schema)
+    }
+
     /// The predicates that actions change, by their numbers, some of them several times.
     pub fn changing(&self) -> impl Iterator<Item = usize> {
         let atoms = self.schemas.iter().flat_map(|schema| {
@@ -86,13 +92,16 @@ pub fn read_domain(text: &str) -> Result<Domain, PddlError> {
         functions: &functions,
         parameters: None,
     };
-    let mut names = FxHashSet::default();
+    let mut names: FxHashMap<String, usize> = FxHashMap::default();
     let mut schemas = Vec::with_capacity(actions.len());
     for (place, items) in actions {
         let schema = Schema::read(&scope, place, items)?;
-        if !names.insert(schema.name.clone()) {
+        // Some domains declare an action for each of several places in which it can be taken.
+        let first = *names.entry(schema.name.clone()).or_insert(schemas.len());
+        if schemas.get(first).is_some_and(|first: &Schema| !first.is_case_of(&schema)) {
             let found = format!("the action {} for the second time", schema.name);
-            return Err(place.wrong(found, "each action declared once"));
+            let expected = "each action declared once, or with the same parameters and cost";
+            return Err(place.wrong(found, expected));
         }
         schemas.push(schema);
     }

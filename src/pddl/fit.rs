@@ -35,21 +35,18 @@ impl Pattern {
         if self.takes_all_arguments() {
             return true;
         }
-        let schema = &domain.schemas[number];
+        let name = &domain.schemas[number].name;
         let mut changes = FixedBitSet::with_capacity(domain.predicates.len());
         changes.extend(domain.changing());
         let is_fixed = |atom: &&LiftedAtom| !changes.contains(atom.predicate.index());
-        let positive = schema.precondition.positive.iter().map(|atom| (atom, true));
-        let negative = schema.precondition.negative.iter().map(|atom| (atom, false));
-        let mut search = Search {
-            task,
-            schema,
-            fixed: positive.chain(negative).filter(|(atom, _)| is_fixed(atom)).collect(),
-            pattern: self,
-            objects: Vec::new(),
-            steps: 0,
-        };
-        search.any()
+        let mut cases = domain.schemas.iter().filter(|schema| schema.name == *name);
+        cases.any(|schema| {
+            let positive = schema.precondition.positive.iter().map(|atom| (atom, true));
+            let negative = schema.precondition.negative.iter().map(|atom| (atom, false));
+            let fixed = positive.chain(negative).filter(|(atom, _)| is_fixed(atom)).collect();
+            let objects = Vec::new();
+            Search { task, schema, fixed, pattern: self, objects, steps: 0 }.any()
+        })
     }
 }
 

@@ -23,7 +23,7 @@ use super::operators::{GroundOperator, Operators, Possible, cost_of, keep_possib
 use super::reach::{object, reach};
 use super::rule::Rule;
 use super::split::split;
-use crate::task::{Action, Fact, State, Task, TaskBuilder};
+use crate::task::{Action, Fact, State, Task, TaskBuilder, TaskError};
 
 /// The most ground operators.
 pub const MAX_OPERATORS: usize = if cfg!(target_arch = "wasm32") { 100_000 } else { 1_000_000 };
@@ -70,6 +70,14 @@ pub enum GroundError {
     Steps {
         /// The limit.
         limit: u64,
+    },
+    /// Actions of one name of which two may apply in one state.
+    #[error(
+        "action {action}: it is declared several times, and more than one may apply in a state"
+    )]
+    Ambiguous {
+        /// The action.
+        action: String,
     },
     /// The ground task contradicts itself. A defect of this program: please report it.
     #[error("internal error: {0}")]
@@ -366,7 +374,7 @@ impl<'a> Facts<'a> {
                 let cost = cost_of(domain, definition, rule, &operator.instance);
                 builder.cost(action, cost.unwrap_or(0));
             }
-            instances.push((rule.schema as u32, arguments));
+            instances.push((domain.first_case(rule.schema) as u32, arguments));
         }
         for set in self.exclusive.chosen(|atom| self.numbers.contains_key(&(atom, false))) {
             let mut group = Vec::with_capacity(set.len());
@@ -400,9 +408,10 @@ impl<'a> Facts<'a> {
             }
             states.push(holding);
         }
-        let task = builder
-            .build(&states[0], &goal_facts)
-            .map_err(|error| GroundError::Internal(error.to_string()))?;
+        let task = builder.build(&states[0], &goal_facts).map_err(|error| match error {
+            TaskError::AmbiguousAction { action } => GroundError::Ambiguous { action },
+            error @ TaskError::NotExclusive { .. } => GroundError::Internal(error.to_string()),
+        })?;
         let pack = |state: &Vec<Fact>| {
             task.state(state).map_err(|_| {
                 GroundError::Internal("a state holds facts that exclude each other".to_owned())

@@ -116,6 +116,15 @@ pub struct Schema {
 }
 
 impl Schema {
+    /// Whether another action of its name can be a case of the same action: one that goes by the same parameters
+    /// and costs the same.
+    pub(super) fn is_case_of(&self, other: &Self) -> bool {
+        let types = |schema: &Self| -> Vec<Vec<super::types::TypeId>> {
+            schema.parameters.types.iter().map(|types| types.types().to_vec()).collect()
+        };
+        types(self) == types(other) && self.cost == other.cost
+    }
+
     /// Whether it is one of STRIPS: nothing but literals, and effects that it always has.
     pub fn is_plain(&self) -> bool {
         self.rest.is_empty() && self.conditional.is_empty()

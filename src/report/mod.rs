@@ -4,6 +4,8 @@ mod advice;
 mod belief;
 mod classical;
 mod elimination;
+#[cfg(feature = "full")]
+mod import;
 mod request;
 mod scene;
 
@@ -13,6 +15,8 @@ pub use advice::{AdviceReport, RemedyReport};
 pub use belief::{BeliefReport, Feature, Share};
 pub use classical::{PlanReport, PlanStats};
 pub use elimination::{EliminationReport, MissedReport};
+#[cfg(feature = "full")]
+pub use import::{ImportReport, read_import_files, read_import_options};
 pub use request::{Request, read_request};
 pub use scene::{Scene, SceneGoal, SceneObserver, Setting};
 

@@ -8,6 +8,7 @@ mod encode;
 mod experiment;
 mod gallery;
 mod generate;
+mod import;
 mod interrupt;
 mod plan;
 mod solve;

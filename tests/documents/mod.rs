@@ -6,6 +6,7 @@ mod examples;
 mod explicit;
 mod fuzz;
 mod gridworld;
+mod import;
 mod json;
 mod names;
 pub mod pddl;

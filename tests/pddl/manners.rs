@@ -280,3 +280,32 @@ fn features_of_other_sets() {
         assert!(error.starts_with("line 1, ") && error.contains(feature), "{to}: {error}");
     }
 }
+
+/// As Campus of the goal-recognition literature comes: an action declared for each place, with a cost.
+#[test]
+fn an_action_declared_for_several_places() {
+    let domain = "(define (domain campus) (:requirements :strips :typing :action-costs) (:types place)
+(:constants cafe library - place) (:predicates (at ?p - place) (met)) (:functions (total-cost) - number)
+(:action move :parameters (?a ?b - place) :precondition (at ?a)
+ :effect (and (not (at ?a)) (at ?b) (increase (total-cost) 2)))
+(:action MEET :precondition (at cafe) :effect (and (met) (increase (total-cost) 1)))
+(:action MEET :parameters () :precondition (at library) :effect (and (met) (increase (total-cost) 1))))";
+    let task = "(define (problem p) (:domain campus) (:objects hall - place) (:init (at hall) (= (total-cost) 0))
+(:goal (met)) (:metric minimize (total-cost)))";
+    let plan = plan(domain, task).unwrap();
+    assert_eq!(plan.last().unwrap(), "(meet)");
+    let ground = grounded(domain, task).task;
+    assert_eq!((ground.operators().len(), ground.action_count()), (9 + 2, 9 + 1));
+    let plan = mo_copp::plan::Plan::from_names(&ground, &plan).unwrap();
+    assert_eq!(plan.cost(&ground), Some(3));
+    // Where two of them can apply at once, it is said.
+    let both = domain.replace("(at library) :effect (and (met)", "(not (met)) :effect (and (met)");
+    let read = (read_domain(&both).unwrap(), read_domain(domain).unwrap());
+    let task = read_task(&read.0, task).unwrap();
+    let error =
+        mo_copp::pddl::ground(&read.0, &task, &mo_copp::pddl::ExtraInputs::default()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "action (meet): it is declared several times, and more than one may apply in a state"
+    );
+}

@@ -309,7 +309,7 @@ fn mistakes_in_a_domain() {
         (
             "(:action",
             "(:action drive) (:action",
-            "line 7, column 18: found the action drive for the second time, expected each action declared once",
+            "line 7, column 18: found the action drive for the second time, expected each action declared once, or with the same parameters and cost",
         ),
         (
             "(:constants",

@@ -110,7 +110,13 @@ pub(super) fn at(path: impl Into<String>, error: PddlError) -> DocumentError {
 }
 
 pub(super) fn limit(error: &GroundError) -> DocumentError {
-    DocumentError::invalid("problem", error.to_string(), "a smaller task")
+    match error {
+        GroundError::Ambiguous { .. } => {
+            let expected = "actions of one name that exclude each other";
+            DocumentError::invalid("domain", error.to_string(), expected)
+        }
+        error => DocumentError::invalid("problem", error.to_string(), "a smaller task"),
+    }
 }
 
 /// The ground task, and what each observer reads. Conditions of sensors name operators, which are

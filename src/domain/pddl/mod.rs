@@ -11,6 +11,7 @@ mod belief;
 mod build;
 mod cover;
 pub mod generate;
+pub mod import;
 mod outline;
 mod read;
 mod sensor;
