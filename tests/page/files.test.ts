@@ -1,12 +1,12 @@
 // Documents as files: opened, dropped, saved, and typed in the document's tab.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { LARGEST_DOCUMENT } from "../../www/src/problem/limits.js";
 import { visit } from "./support/browser.js";
 import { replay, solve } from "./support/core.js";
 import { grid } from "./support/documents.js";
+import { saved } from "./support/downloads.js";
 import { documentOf } from "./support/gallery.js";
 import { dragMouse } from "./support/hands.js";
 import { drawn, openTab, press, statusIs } from "./support/playground.js";
@@ -53,12 +53,6 @@ async function drop(page: Page, on: string, what: Dropped, meanwhile?: () => Pro
 }
 
 const alert = (page: Page) => page.getByRole("alert").first();
-
-/** What is saved when a button is pressed. */
-async function saved(page: Page, button: string): Promise<{ name: string; text: string }> {
-  const [download] = await Promise.all([page.waitForEvent("download"), press(page, button)]);
-  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
-}
 
 test("a file dropped anywhere is opened; while it is dragged the page shows where it goes", () =>
   visit(async ({ page }) => {

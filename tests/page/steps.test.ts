@@ -1,6 +1,5 @@
 // The table of the steps, and what is said of each step.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { AxeBuilder } from "@axe-core/playwright";
 import type { Page } from "playwright-core";
@@ -8,6 +7,7 @@ import { csv } from "../../www/src/steps/csv.js";
 import { visit } from "./support/browser.js";
 import { example, replay, solve } from "./support/core.js";
 import { grid } from "./support/documents.js";
+import { saved } from "./support/downloads.js";
 import { openTab, press, slider, statusIs, stepIs, useDocument } from "./support/playground.js";
 
 const { trace } = solve(example, { solver: "exact" });
@@ -81,9 +81,8 @@ test("the steps are saved for a spreadsheet", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
     await openTab(page, "Steps");
-    const [download] = await Promise.all([page.waitForEvent("download"), press(page, "Save as CSV")]);
-    assert.equal(download.suggestedFilename(), "eight-by-eight-steps.csv");
-    const text = readFileSync(await download.path(), "utf8");
+    const { name, text } = await saved(page, "Save as CSV");
+    assert.equal(name, "eight-by-eight-steps.csv");
     assert.equal(text, csv(trace));
     const lines = text.trimEnd().split("\r\n");
     assert.equal(lines.length, 18);

@@ -6,7 +6,8 @@ import type { Page } from "playwright-core";
 import { assertNoBarrier } from "./support/barriers.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid, laborious } from "./support/documents.js";
-import { edit, opened, saved } from "./support/opened.js";
+import { saved } from "./support/downloads.js";
+import { edit, opened } from "./support/opened.js";
 import { attribute, openTab, press, slider, statusIs } from "./support/playground.js";
 import { holdCore, withDeafWorkers, withKnownWorkers } from "./support/workers.js";
 
@@ -246,7 +247,7 @@ test("a lost worker is told, and another looks again", () =>
       .locator(".at-work")
       .getByText(/states looked at/)
       .waitFor();
-    await page.evaluate("workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
+    await page.evaluate("lastSolver.dispatchEvent(new ErrorEvent('error', { message: 'out of luck' }))");
     await page.getByRole("alert").filter({ hasText: "The solver stopped unexpectedly (out of luck)" }).waitFor();
     assert.equal(await attribute(page, "data-status"), "feasible");
     await press(page, "Try again");

@@ -1,5 +1,4 @@
 // The page, opened and brought to where a test begins: its first problem is solved, another is used, a tab is open.
-import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import { type Options, visit } from "./browser.js";
 import { openTab, press, statusIs, useDocument } from "./playground.js";
@@ -31,12 +30,3 @@ export const opened = (
 /** Makes a document of the problem by an edit, as the page's own controls do. */
 export const edit = (page: Page, document: string): Promise<unknown> =>
   page.evaluate(`document.querySelector("mo-copp-playground").view.playground.edits.apply(${document})`);
-
-/** What a button saves as a file. */
-export async function saved(page: Page, button: string, group = ""): Promise<{ name: string; text: string }> {
-  const place = group === "" ? page : page.getByRole("group", { name: group });
-  const download = page.waitForEvent("download");
-  await place.getByRole("button", { name: button, exact: true }).click();
-  const file = await download;
-  return { name: file.suggestedFilename(), text: readFileSync(await file.path(), "utf8") };
-}

@@ -10,7 +10,7 @@ export const withDeafWorkers = (page: Page) =>
     };
   `);
 
-/** Workers that a test finds in `window.workers`, in the order they were started. */
+/** Workers that a test finds in `window.workers`, in the order they were started; the one that got a solve last, in `lastSolver`. */
 export const withKnownWorkers = (page: Page) =>
   page.addInitScript(`
     window.workers = [];
@@ -19,6 +19,10 @@ export const withKnownWorkers = (page: Page) =>
       constructor(...args) {
         super(...args);
         window.workers.push(this);
+      }
+      postMessage(message, ...others) {
+        if (message.kind === "solve") window.lastSolver = this;
+        super.postMessage(message, ...others);
       }
     };
   `);
