@@ -70,8 +70,8 @@ fn main() {
         println!(
             "{name:16} {:8} {:8} {:6} {:10} {:>9.3} ms",
             task.fact_count(),
-            task.layout().group_count(),
-            task.layout().words(),
+            task.exclusive_groups().len(),
+            task.initial_state().words().len(),
             task.operators().len(),
             times[1].as_secs_f64() * 1e3
         );

@@ -65,7 +65,7 @@ fn line(name: &str, target: &str, repeats: usize, work: &[(Arc<Problem>, Options
 }
 
 fn options(solver: Solver, horizon: Horizon) -> Options {
-    Options { horizon, ..Options::new(solver) }
+    Options::new(solver).with_horizon(horizon)
 }
 
 /// The first `count` problems that have a plan at one of two horizons, with that horizon.
@@ -93,7 +93,7 @@ fn at_horizon(
 
 /// The length of a shortest plan for the true goal.
 fn shortest(problem: &Arc<Problem>) -> usize {
-    let none = Options { horizon: Horizon::Steps(0), ..Options::new(Solver::Exact) };
+    let none = options(Solver::Exact, Horizon::Steps(0));
     let mut run = RemedyRun::new(Arc::clone(problem), none).expect("options that fit");
     while !run.advance(1000).expect("the search does not break down") {}
     let advice = run.outcome().expect("remedies do");
@@ -131,7 +131,7 @@ fn main() {
     line("exact, 8x8, T = 12 or 14", "1 ms", 21, &exact);
     let any = with(&eight, &|_| options(Solver::Exact, Horizon::Any));
     line("exact, 8x8, all horizons", "5 ms", 21, &any);
-    let pairs = with(&eight, &|_| Options { pairs: true, ..options(Solver::Exact, Horizon::Any) });
+    let pairs = with(&eight, &|_| options(Solver::Exact, Horizon::Any).with_pairs(true));
     line("exact, 8x8, all horizons and pairs", "-", 21, &pairs);
     let one = at_horizon(large, 1, [96, 98]);
     let exact = with(&one, &|steps| options(Solver::Exact, Horizon::Steps(steps)));
@@ -152,9 +152,8 @@ fn main() {
     let flow = with(&eight, &|steps| options(Solver::Ip, Horizon::Steps(steps)));
     line("belief-flow, 8x8, T = 12 or 14", "median 0.1 s, worst 1 s", 3, &flow);
     let four = at_horizon(small, 10, [6, 8]);
-    let encoded = with(&four, &|steps| Options {
-        encoding: Encoding::Paper,
-        ..options(Solver::Ip, Horizon::Steps(steps))
+    let encoded = with(&four, &|steps| {
+        options(Solver::Ip, Horizon::Steps(steps)).with_encoding(Encoding::Paper)
     });
     line("paper, 4x4, T = 6", "median 1 s", 1, &encoded);
 
@@ -194,7 +193,7 @@ fn experiments() {
     let (mut flow, mut search) = (Vec::new(), Vec::new());
     for (name, steps) in [("gridworld", 12), ("box-pushing", 12), ("recycling-robot", 10)] {
         for problem in drawn(name) {
-            let asked = Options { horizon_step: 2, ..options(Solver::Ip, Horizon::Steps(steps)) };
+            let asked = options(Solver::Ip, Horizon::Steps(steps)).with_horizon_step(2);
             search.push(bounded(&problem, 2));
             flow.push((problem, asked));
         }

@@ -61,7 +61,7 @@ pub fn goal_difference(adversarial: usize, cooperative: usize, goals: usize) -> 
 /// Works out survivors, once for each belief. States that satisfy the same goals share a class, so
 /// that a large belief is one pass over small numbers.
 #[derive(Debug, Clone)]
-pub struct Survivors {
+pub(crate) struct Survivors {
     goals: Vec<Vec<Fact>>,
     /// Class of each state, by state number; class 0 satisfies no goal.
     classes: Vec<u32>,

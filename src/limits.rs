@@ -16,6 +16,7 @@ pub const MAX_VALUES: usize = if cfg!(target_arch = "wasm32") { 1_000_000 } else
 
 /// A limit that was met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum LimitReached {
     /// The states, transitions, beliefs and search nodes take more memory than allowed.
     #[error("memory limit reached: {limit_mib} MiB of states, beliefs and nodes")]
@@ -59,6 +60,7 @@ pub enum LimitReached {
 
 /// What a run may use.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Limits {
     /// Bytes of states, transitions, beliefs and nodes, counted by contents. Containers that grow
     /// can hold up to three times as much for a moment, so the default is a third of what the
@@ -75,6 +77,34 @@ pub struct Limits {
 const MIB: u64 = 1 << 20;
 
 impl Limits {
+    /// The same with at most so many bytes.
+    #[must_use]
+    pub fn with_bytes(mut self, bytes: u64) -> Self {
+        self.bytes = bytes;
+        self
+    }
+
+    /// The same with at most so many expansions.
+    #[must_use]
+    pub fn with_expansions(mut self, expansions: u64) -> Self {
+        self.expansions = expansions;
+        self
+    }
+
+    /// The same with at most so many nodes of branch and bound.
+    #[must_use]
+    pub fn with_nodes(mut self, nodes: u64) -> Self {
+        self.nodes = nodes;
+        self
+    }
+
+    /// The same with at most so many nonzero coefficients.
+    #[must_use]
+    pub fn with_nonzeros(mut self, nonzeros: u64) -> Self {
+        self.nonzeros = nonzeros;
+        self
+    }
+
     /// Checks a number of bytes against the limit.
     ///
     /// # Errors

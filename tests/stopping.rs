@@ -244,14 +244,14 @@ fn limits_of_the_integer_programs_are_named() {
         let mut options = Judge::options(Solver::Ip, horizon, &wish);
         options.encoding = dice.pick(&Encoding::ALL);
         let whole = in_slices(&judge, &options, u64::MAX);
-        options.limits = Limits { nodes: dice.below(2) as u64, ..Limits::default() };
+        options.limits = Limits::default().with_nodes(dice.below(2) as u64);
         let outcome = in_slices(&judge, &options, u64::MAX);
         if check_limited(&judge, &options, &wish, &whole, &outcome) {
             nodes += 1;
             let limit = options.limits.nodes;
             assert_eq!(outcome.limit, Some(LimitReached::Nodes { limit }));
         }
-        options.limits = Limits { nonzeros: dice.below(60) as u64, ..Limits::default() };
+        options.limits = Limits::default().with_nonzeros(dice.below(60) as u64);
         let outcome = in_slices(&judge, &options, u64::MAX);
         if check_limited(&judge, &options, &wish, &whole, &outcome) {
             models += 1;

@@ -48,7 +48,7 @@ fn goals_and_observers_that_do_not_exist() {
     let watched = |observer, goal| vec![Watched { observer, goal }];
     let required = |required| {
         move |o: &mut Options| {
-            o.bounds = Bounds { required, ..Bounds::default() };
+            o.bounds = Bounds::default().with_required(required);
         }
     };
     let goal = "expected the position of a goal, 0 to 5";

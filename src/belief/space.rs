@@ -59,11 +59,6 @@ impl BeliefSpace {
         self.sets.len()
     }
 
-    /// Whether no belief has been met.
-    pub fn is_empty(&self) -> bool {
-        self.sets.is_empty()
-    }
-
     /// Bytes in use, counted by contents.
     pub fn bytes(&self) -> u64 {
         let readings = size_of::<Symbol>() * self.readings.len();

@@ -71,11 +71,6 @@ impl Subsets {
         self.ends.len()
     }
 
-    /// Whether no set has been met.
-    pub fn is_empty(&self) -> bool {
-        self.ends.is_empty()
-    }
-
     /// Bytes in use, counted by contents.
     pub fn bytes(&self) -> u64 {
         let per_member = size_of::<StateId>() * (self.members.len() + self.stamps.len());

@@ -183,11 +183,9 @@ pub struct SearchLimitArgs {
 impl SearchLimitArgs {
     /// The limits meant.
     pub fn limits(&self) -> Limits {
-        Limits {
-            bytes: self.memory.saturating_mul(1 << 20),
-            expansions: self.expansions.unwrap_or(u64::MAX),
-            ..Limits::default()
-        }
+        Limits::default()
+            .with_bytes(self.memory.saturating_mul(1 << 20))
+            .with_expansions(self.expansions.unwrap_or(u64::MAX))
     }
 }
 

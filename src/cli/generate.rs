@@ -56,12 +56,10 @@ fn allow(args: &GenerateArgs, sizes: &[&str]) -> Result<(), CliError> {
     };
     match given.iter().find_map(other) {
         None => Ok(()),
-        Some((option, value)) => Err(OptionsError {
-            option,
-            found: value.to_string(),
-            expected: format!("nothing, since {} has no such size", args.domain.name()),
+        Some((option, value)) => {
+            let expected = format!("nothing, since {} has no such size", args.domain.name());
+            Err(OptionsError::new(option, value.to_string(), expected).into())
         }
-        .into()),
     }
 }
 

@@ -94,17 +94,16 @@ pub fn bounds(args: &BoundsArgs, problem: &Problem) -> Result<Bounds, CliError> 
     let all = |option, texts: &[String]| {
         texts.iter().map(|text| watched(option, text, problem)).collect::<Result<Vec<_>, _>>()
     };
-    Ok(Bounds {
-        at_least: args.k,
-        at_most: args.j,
-        required: all("require", &args.require)?,
-        forbidden: all("forbid", &args.forbid)?,
-    })
+    let mut bounds = Bounds::default()
+        .with_required(all("require", &args.require)?)
+        .with_forbidden(all("forbid", &args.forbid)?);
+    (bounds.at_least, bounds.at_most) = (args.k, args.j);
+    Ok(bounds)
 }
 
 /// `ROLE:GOAL`. The name of the goal may hold colons itself.
 fn watched(option: &'static str, text: &str, problem: &Problem) -> Result<Watched, OptionsError> {
-    let wrong = |expected: String| OptionsError { option, found: format!("{text:?}"), expected };
+    let wrong = |expected: String| OptionsError::new(option, format!("{text:?}"), expected);
     let observers: Vec<&str> = problem.observers().iter().map(|o| o.name.as_str()).collect();
     let (observer, goal) = text
         .split_once(':')

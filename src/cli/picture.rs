@@ -39,7 +39,7 @@ fn boards(name: &str, problem: &Problem) -> Result<Boards, CliError> {
         name => problem.observer_named(name).map(Boards::Observer).ok_or_else(|| {
             let names: Vec<&str> = problem.observers().iter().map(|o| o.name.as_str()).collect();
             let expected = format!("all, actor or {}", names.join(" or "));
-            OptionsError { option: "board", found: format!("{name:?}"), expected }.into()
+            OptionsError::new("board", format!("{name:?}"), expected).into()
         }),
     }
 }

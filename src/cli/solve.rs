@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use mo_copp::limits::{LimitReached, Limits};
+use mo_copp::limits::LimitReached;
 use mo_copp::problem::{Problem, Role};
 use mo_copp::report::{AdviceReport, FrontReport, SolveReport};
 use mo_copp::solver::{Horizon, Options, Outcome, Solver, Status};
@@ -18,20 +18,16 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
         return stopped_while_reading(args);
     };
     let problem = problem?;
-    let options = Options {
-        encoding: args.encoding,
-        horizon: args.horizon.unwrap_or(Horizon::Auto),
-        horizon_step: args.horizon_step,
-        horizon_limit: args.horizon_limit,
-        bounds: input::bounds(&args.bounds, &problem)?,
-        pairs: args.pairs || args.pareto,
-        lengths: args.lengths,
-        limits: Limits {
-            nodes: args.limits.nodes.unwrap_or(u64::MAX),
-            ..args.limits.search.limits()
-        },
-        ..Options::new(args.solver)
-    };
+    let limits = args.limits.search.limits();
+    let mut options = Options::new(args.solver)
+        .with_encoding(args.encoding)
+        .with_horizon(args.horizon.unwrap_or(Horizon::Auto))
+        .with_horizon_step(args.horizon_step)
+        .with_horizon_limit(args.horizon_limit)
+        .with_bounds(input::bounds(&args.bounds, &problem)?)
+        .with_pairs(args.pairs || args.pareto)
+        .with_limits(limits.with_nodes(args.limits.nodes.unwrap_or(u64::MAX)));
+    options.lengths = args.lengths;
     options.check(&problem)?;
     say_unused(args);
     let progress::Solved { outcome, seconds, stop } = progress::solve_watched(&problem, &options)?;
@@ -76,7 +72,6 @@ fn stopped_while_reading(args: &SolveArgs) -> Result<u8, CliError> {
 fn say_unused(args: &SolveArgs) {
     let goals = !args.bounds.require.is_empty() || !args.bounds.forbid.is_empty();
     let unused: &[(&str, bool)] = match args.solver {
-        Solver::Exact | Solver::Ip | Solver::Search | Solver::Satisficing => &[],
         Solver::Obfuscate => &[("--j", args.bounds.j.is_some())],
         Solver::Legible => &[("--k", args.bounds.k.is_some())],
         Solver::Baseline => &[
@@ -84,6 +79,8 @@ fn say_unused(args: &SolveArgs) {
             ("--j", args.bounds.j.is_some()),
             ("--require and --forbid", goals),
         ],
+        // All others heed all bounds.
+        _ => &[],
     };
     for (option, given) in unused {
         if *given {

@@ -6,6 +6,7 @@ use super::json::quoted;
 
 /// Why a document was refused. Nothing of it is kept.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum DocumentError {
     /// The text is not JSON.
     #[error("line {line}, column {column}: found {found}, expected {expected}")]

@@ -1,7 +1,7 @@
 //! Reading problem documents: JSON with places.
 //!
-//! - [`json`] is a JSON value that remembers the order of keys and refuses a key given twice,
-//! - [`reader`] walks it and knows where it is, so that every error names the place, what was found
+//! - `json` is a JSON value that remembers the order of keys and refuses a key given twice,
+//! - `reader` walks it and knows where it is, so that every error names the place, what was found
 //!   and what was expected,
 //! - names are held to what an eye can tell apart,
 //! - [`Place`] is where in the text an error stands, in lines and columns.
@@ -9,10 +9,10 @@
 //! What the documents of each format hold is the business of [`domain`](crate::domain).
 
 mod error;
-pub mod json;
+pub(crate) mod json;
 mod name;
 mod place;
-pub mod reader;
+pub(crate) mod reader;
 mod scan;
 mod syntax;
 

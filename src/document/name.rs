@@ -161,7 +161,37 @@ impl<'a> Names<'a> {
         what: &str,
         path: impl Fn() -> String,
     ) -> Result<(), DocumentError> {
-        match self.0.insert(skeleton(name), name) {
+        self.add_as(skeleton(name), name, what, path)
+    }
+
+    /// Adds the name of an action. Blanks at its ends count: a plan is written with them.
+    ///
+    /// # Errors
+    ///
+    /// As [`add`](Self::add).
+    pub(crate) fn add_action(
+        &mut self,
+        name: &'a str,
+        path: impl Fn() -> String,
+    ) -> Result<(), DocumentError> {
+        let bare = name.trim_matches(' ');
+        let shape = if bare == name {
+            skeleton(name)
+        } else {
+            let (before, after) = name.split_once(bare).unwrap_or_default();
+            Cow::Owned(format!("{before}{}{after}", skeleton(bare)))
+        };
+        self.add_as(shape, name, "the name", path)
+    }
+
+    fn add_as(
+        &mut self,
+        shape: Cow<'a, str>,
+        name: &'a str,
+        what: &str,
+        path: impl Fn() -> String,
+    ) -> Result<(), DocumentError> {
+        match self.0.insert(shape, name) {
             None => Ok(()),
             Some(first) if first == name => {
                 let found = format!("{what} {name:?} for the second time");

@@ -14,6 +14,7 @@ use crate::task::StateSpace;
 
 /// Why no document can be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum GenerateError {
     /// A size that makes no sense.
     #[error("{what}: found {found}, expected {expected}")]
@@ -36,6 +37,7 @@ pub enum GenerateError {
 /// A random document, and how many were drawn and thrown away before it because their true goal
 /// could not be reached. Every generator returns this.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Drawn<T = Document> {
     /// The document.
     pub document: T,

@@ -36,6 +36,7 @@ use crate::problem::Problem;
 /// A problem document of any format.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "format", rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Document {
     /// Cells, walls and moves.
     Gridworld(Gridworld),

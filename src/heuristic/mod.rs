@@ -1,14 +1,14 @@
 //! Heuristics: estimates of how far a goal is.
 //!
-//! - [`set_additive`] is the set-additive heuristic of a state,
-//! - [`goal_values`] remembers it for every candidate goal and every state asked about;
+//! - [`SetAdditive`] is the set-additive heuristic of a state,
+//! - `goal_values` remembers it for every candidate goal and every state asked about;
 //!   what a belief is worth follows from its states in the solvers.
 
-pub mod goal_values;
-pub mod set_additive;
+mod goal_values;
+mod set_additive;
 mod supporter_sets;
 
-pub use goal_values::GoalValues;
+pub(crate) use goal_values::GoalValues;
 pub use set_additive::SetAdditive;
 
 /// The value of a goal that cannot be reached even when deletes are ignored.

@@ -5,6 +5,7 @@ use thiserror::Error;
 /// Why a text was refused, and where. Nothing of it is kept.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("line {line}, column {column}: found {found}, expected {expected}")]
+#[non_exhaustive]
 pub struct PddlError {
     /// The line, from 1.
     pub line: usize,

@@ -40,6 +40,7 @@ pub const MAX_STATE_BYTES: usize = if cfg!(target_arch = "wasm32") { 32 << 20 } 
 
 /// Why a task was not grounded.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum GroundError {
     /// More operators than allowed.
     #[error("grounding limit reached: {limit} operators")]
@@ -96,6 +97,7 @@ pub struct ExtraInputs {
 
 /// A ground task and what its numbers mean.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Grounded {
     /// The task. Its goal is that of the definition; where that can never hold, a fact that never
     /// does. An action has several operators where its effects have conditions or its precondition

@@ -7,6 +7,7 @@ use crate::task::{Fact, OperatorId, State, Task};
 
 /// Why a plan cannot be carried out.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum PlanError {
     /// A name that is no action of the task.
     #[error("step {step}: found {}, expected an action of this problem: {known}", named(action))]

@@ -5,6 +5,7 @@ use crate::task::{Action, State, Task};
 
 /// An action that can be taken, and where it leads.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct NextAction {
     /// The action.
     pub action: Action,

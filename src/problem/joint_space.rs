@@ -114,11 +114,6 @@ impl JointSpace {
         &self.beliefs[observer]
     }
 
-    /// How many profiles have been met.
-    pub fn profile_count(&self) -> usize {
-        self.profiles.len()
-    }
-
     /// Bytes in use, counted by contents.
     pub fn bytes(&self) -> u64 {
         let own =

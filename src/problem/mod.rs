@@ -3,7 +3,7 @@
 //! Definition 1 of the paper (MO-COPP), with the observers in a list, each with a role. More than
 //! one of a role is allowed: nothing but the objective asks for roles.
 
-pub mod joint_space;
+mod joint_space;
 mod naming;
 mod tuples;
 
@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use thiserror::Error;
 
-pub use joint_space::{JointSpace, Node, ProfileId};
+pub(crate) use joint_space::{JointSpace, Node, ProfileId};
 pub use naming::{Part, StateLabel, StateNaming, Value};
 pub(crate) use tuples::Tuples;
 
@@ -62,6 +62,7 @@ pub struct Observer {
 
 /// Why a problem cannot be made.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum ProblemError {
     /// Fewer than two candidate goals, or more than [`MAX_GOALS`].
     #[error("found {found} candidate goals, expected 2 to {MAX_GOALS}")]

@@ -43,11 +43,6 @@ impl Tuples {
         }
     }
 
-    /// How many there are.
-    pub(crate) fn len(&self) -> usize {
-        self.count as usize
-    }
-
     /// Bytes in use, counted by contents.
     pub(crate) fn bytes(&self) -> u64 {
         4 * self.items.len() as u64 + 5 * u64::from(self.count)

@@ -24,6 +24,7 @@ pub struct PlanReport {
 
 /// What the work took.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct PlanStats {
     /// Facts of the ground task.
     pub facts: usize,

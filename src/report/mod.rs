@@ -51,6 +51,7 @@ impl<T: Serialize> Serialize for ByObserver<T> {
 
 /// What a solver answers: `solve --json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SolveReport {
     /// `optimal`, `solved`, `feasible`, `infeasible` or `limit`.
     pub status: &'static str,
@@ -110,6 +111,7 @@ pub struct SolveReport {
 
 /// A reachable pair of survivor counts with a plan for it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PairReport {
     /// Goals that survive for the enemy.
     pub adversarial: usize,
@@ -130,6 +132,7 @@ pub struct FrontReport {
 
 /// The best plan of exactly this many actions; null where no plan of this length keeps the bounds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct LengthReport {
     /// The number of actions.
     pub length: usize,
@@ -145,6 +148,7 @@ pub struct LengthReport {
 
 /// What the work took; only what the solver counts is there.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct StatsReport {
     /// Nodes expanded by a search.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -178,6 +182,7 @@ pub struct StatsReport {
 
 /// A replayed plan: `trace --json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct TraceReport {
     /// Whether the plan ends in the true goal.
     pub valid: bool,
@@ -192,6 +197,7 @@ pub struct TraceReport {
 
 /// What holds after a step.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct StepReport {
     /// The action; none at the start.
     pub action: Option<String>,
@@ -217,6 +223,7 @@ pub struct StepReport {
 
 /// An action that can be taken after a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct NextReport {
     /// The name of the action.
     pub action: String,
@@ -228,6 +235,7 @@ pub struct NextReport {
 
 /// How far a solver is.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ProgressReport {
     /// The solver.
     pub solver: &'static str,

@@ -40,6 +40,7 @@ impl std::fmt::Debug for ClassicalRun {
 
 /// The answer.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ClassicalOutcome {
     /// Solved, infeasible or limit.
     pub status: Status,

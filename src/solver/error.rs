@@ -6,6 +6,7 @@ use super::OptionsError;
 
 /// Why a run cannot give an answer.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum SolveError {
     /// The options do not fit the problem.
     #[error(transparent)]

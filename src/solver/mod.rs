@@ -1,17 +1,19 @@
 //! The solvers.
 //!
-//! | solver | answers | plan |
-//! |---|---|---|
-//! | exact | the best goal difference at a horizon, at each up to a longest one, or over all, and every reachable pair of survivor counts | proved best |
-//! | [`ip`] | the best goal difference at a horizon, by integer programming in two encodings | proved best |
-//! | search | a plan that keeps the bounds k and j, by Algorithm 1 of the paper | the first found |
-//! | satisficing | the same, by a portfolio of Algorithm 1 and exact search | the first found |
-//! | baseline | a plan for the true goal alone | the first found |
-//! | obfuscate, legible | Algorithm 1 with one of the two bounds | the first found |
+//! | solver | finds | how sure | after |
+//! |---|---|---|---|
+//! | [`Exact`](Solver::Exact) | `max GD` over all plans, or those of T actions; every reachable pair `(│G_X│, │G_C│)`; the best of each length | proved best | best first over `(s, B_X, B_C)` under upper bounds; antichains: De Wulf, Doyen, Henzinger and Raskin 2006, <https://doi.org/10.1007/11817963_5> |
+//! | [`Ip`](Solver::Ip) | `max Σ g^X − Σ g^C` over plans of T actions | proved best | integer programming: equations (3) to (17) of the paper, or flows over (state, belief) |
+//! | [`Search`](Solver::Search) | a plan with `│G_X│ ≥ k` and `│G_C│ ≤ j`, so that `GD ≥ (k − j)/(n − 1)` | the first found, or the proof that there is none | Algorithm 1 of the paper |
+//! | [`Satisficing`](Solver::Satisficing) | the same | the same | a sequential portfolio of Algorithm 1 and exact search |
+//! | [`Obfuscate`](Solver::Obfuscate), [`Legible`](Solver::Legible) | a plan with `│G_X│ ≥ k`; a plan with `│G_C│ ≤ j` | the same | Algorithm 1 with one bound: the isolated settings that the paper compares with |
+//! | [`Baseline`](Solver::Baseline) | a plan for the true goal alone | the first found | greedy best first on the set-additive heuristic: Keyder and Geffner 2008, doi:10.3233/978-1-58603-891-5-588 |
 //!
-//! All take one type of [`Options`] and give one type of [`Outcome`]; a [`Run`] is any of them at
-//! work, advanced in slices so that its progress can be shown and it can be stopped with the best
-//! plan kept. A [`ClassicalRun`] is the baseline on a task that nobody watches.
+//! All take one type of [`Options`] and give one type of [`Outcome`]. [`solve`] works to the end; a
+//! [`Run`] is any solver at work, advanced in slices so that its progress can be shown and it can be
+//! stopped with the best plan kept. [`remedy`] says why there is no plan and what would do,
+//! [`lp_format`] writes the integer program for other solvers, [`upper_bounds`] what no plan can beat. A
+//! [`ClassicalRun`] is the baseline on a task without observers.
 
 mod algorithm1;
 mod baseline;
@@ -26,16 +28,19 @@ mod error;
 mod explorer;
 mod ground;
 #[cfg(feature = "full")]
-pub mod ip;
+mod ip;
 mod optimiser;
 mod options;
 mod outcome;
 mod portfolio;
 pub mod remedy;
 mod run;
+mod setters;
 
 pub use classical::{ClassicalOutcome, ClassicalRun};
 pub use error::SolveError;
+#[cfg(feature = "full")]
+pub use ip::{LpFormat, lp_format};
 pub use optimiser::bounds::{UpperBound, upper_bounds};
 pub use options::{
     Bounds, Encoding, Horizon, MAX_HORIZON, MAX_LENGTHS, Options, OptionsError, Solver, Watched,

@@ -17,6 +17,7 @@ pub const MAX_LENGTHS: usize = 1000;
 
 /// Which solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Solver {
     /// Exhaustive search over the states and the observers' beliefs.
     Exact,
@@ -68,6 +69,7 @@ impl Solver {
 
 /// Which integer program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Encoding {
     /// The paper's equations (3) to (17), corrected: to teach and to check.
     Paper,
@@ -118,6 +120,7 @@ pub struct Watched {
 
 /// What a plan must achieve in the final beliefs: the goal constraints of the paper.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub struct Bounds {
     /// At least this many goals survive for every enemy (k).
     pub at_least: Option<usize>,
@@ -165,6 +168,7 @@ impl Bounds {
 /// Options that do not fit the problem.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{option}: found {found}, expected {expected}")]
+#[non_exhaustive]
 pub struct OptionsError {
     /// Which option.
     pub option: &'static str,
@@ -183,6 +187,7 @@ pub struct OptionsError {
 /// options.bounds.at_most = Some(2);
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Options {
     /// The solver.
     pub solver: Solver,
@@ -204,6 +209,17 @@ pub struct Options {
     pub lengths: Option<usize>,
     /// Where to stop.
     pub limits: Limits,
+}
+
+impl OptionsError {
+    /// An option that does not fit.
+    pub fn new(
+        option: &'static str,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Self {
+        Self { option, found: found.into(), expected: expected.into() }
+    }
 }
 
 impl Options {

@@ -37,6 +37,7 @@ impl Status {
 
 /// A reachable pair of survivor counts, with one plan for it.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ReachablePair {
     /// The pair.
     pub counts: SurvivorCounts,
@@ -46,6 +47,7 @@ pub struct ReachablePair {
 
 /// The best plan of exactly this many actions.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct LengthPoint {
     /// The number of actions.
     pub length: usize,
@@ -56,6 +58,7 @@ pub struct LengthPoint {
 
 /// What the work took. Same input, same numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub struct Stats {
     /// Nodes expanded by a search.
     pub expansions: u64,
@@ -96,6 +99,7 @@ impl Stats {
 
 /// What is known while a solver is at work.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Progress {
     /// The solver.
     pub solver: Solver,
@@ -135,6 +139,7 @@ impl Progress {
 
 /// The answer.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Outcome {
     /// How sure it is.
     pub status: Status,

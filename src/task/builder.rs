@@ -12,6 +12,7 @@ use super::successors::SuccessorGenerator;
 
 /// Why a task cannot be made.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum TaskError {
     /// Two operators of one action may both be applicable in one state.
     #[error(

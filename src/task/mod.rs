@@ -4,28 +4,28 @@
 //! operators with preconditions, add effects and delete effects, an initial state and a goal. Its
 //! transition function is `Γ(s, a) = (s \ delete(a)) ∪ add(a)` where `s ⊨ pre(a)`, else undefined.
 //!
-//! - [`fact`] numbers the facts and packs them into machine words,
-//! - [`state`] is a packed set of facts,
-//! - [`operator`] is one grounded operator; operators that share an *action* name are one action to
+//! - `fact` numbers the facts and packs them into machine words,
+//! - `state` is a packed set of facts,
+//! - `operator` is one grounded operator; operators that share an *action* name are one action to
 //!   the plan, the sensors and the integer programs (moving north is one action, with one operator
 //!   for each cell),
-//! - [`builder`] checks a task once and makes it,
-//! - [`successors`] finds the applicable operators of a state,
-//! - [`space`] numbers states as they are met and remembers their successors.
+//! - `builder` checks a task once and makes it,
+//! - `successors` finds the applicable operators of a state,
+//! - `space` numbers states as they are met and remembers their successors.
 
-pub mod builder;
-pub mod fact;
-pub mod operator;
-pub mod space;
-pub mod state;
-pub mod successors;
+mod builder;
+mod fact;
+mod operator;
+mod space;
+mod state;
+mod successors;
 
 use std::sync::Arc;
 
 pub use builder::{TaskBuilder, TaskError};
 pub use fact::Fact;
 pub use operator::{Action, Operator, OperatorId};
-pub use space::{Edge, StateId, StateSpace};
+pub(crate) use space::{StateId, StateSpace};
 pub use state::State;
 
 use fact::Layout;
@@ -119,8 +119,16 @@ impl Task {
     }
 
     /// How facts are packed into the words of a state.
-    pub fn layout(&self) -> &Layout {
+    pub(crate) fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// The groups of facts of which at most one holds in any state (see [`TaskBuilder::exclusive`]); a
+    /// fact that excludes no other is a group of its own. Linear in the number of facts.
+    pub fn exclusive_groups(&self) -> Vec<Vec<Fact>> {
+        (0..self.layout.group_count())
+            .map(|group| self.layout.facts_of_group(group).to_vec())
+            .collect()
     }
 
     /// Packs a set of facts into a state.

@@ -79,11 +79,6 @@ impl StateSpace {
         self.rows.len()
     }
 
-    /// Whether no state has been met.
-    pub fn is_empty(&self) -> bool {
-        self.rows.is_empty()
-    }
-
     /// How many transitions have been computed.
     pub fn edge_count(&self) -> usize {
         self.edges.len()
@@ -112,6 +107,7 @@ impl StateSpace {
     }
 
     /// The number of a state, where it has been met.
+    #[cfg(test)]
     pub fn find(&self, state: &State) -> Option<StateId> {
         let words = state.words();
         self.table.find(hash(words), |&id| self.words(StateId(id)) == words).map(|&id| StateId(id))

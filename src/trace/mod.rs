@@ -25,6 +25,7 @@ const MAX_STATES: usize = if cfg!(target_arch = "wasm32") { 500_000 } else { 4_0
 
 /// What holds after some steps of a plan.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct TraceStep {
     /// The action that led here; none at the start.
     pub action: Option<Action>,
@@ -40,6 +41,7 @@ pub struct TraceStep {
 
 /// A step as it is passed, before anything of it is kept. The fields are those of [`TraceStep`].
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub struct Passing<'a> {
     /// The action that led here; none at the start.
     pub action: Option<Action>,
@@ -55,6 +57,7 @@ pub struct Passing<'a> {
 
 /// A replay: step 0 is the start.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Trace {
     /// The start and every step.
     pub steps: Vec<TraceStep>,

@@ -33,12 +33,11 @@ impl Wish {
         let watched = |pairs: &[(usize, usize)]| {
             pairs.iter().map(|&(observer, goal)| Watched { observer, goal }).collect()
         };
-        Bounds {
-            at_least: self.k,
-            at_most: self.j,
-            required: watched(&self.required),
-            forbidden: watched(&self.forbidden),
-        }
+        let mut bounds = Bounds::default()
+            .with_required(watched(&self.required))
+            .with_forbidden(watched(&self.forbidden));
+        (bounds.at_least, bounds.at_most) = (self.k, self.j);
+        bounds
     }
 }
 

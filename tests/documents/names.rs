@@ -123,7 +123,17 @@ fn names_of_other_things_that_look_alike() {
     let alike = format!("found \"s1 \", which looks like \"s1\" (U+0020 at its end), {told_apart}");
     let at = |path: &str| format!("{path}: {alike}");
     check(EXPLICIT, &[(Put("/states", "[\"s0\", \"s1\", \"s2\", \"s1 \"]"), &at("states[3]"))]);
-    check(EXPLICIT, &[(Put("/actions", "[\"a\", \"b\", \"s1\", \"s1 \"]"), &at("actions[3]"))]);
+    // Of an action, blanks inside; those at the ends are written in plans.
+    let inside = format!(
+        "actions[3]: found \"s  1\", which looks like \"s 1\" (U+0020 in place of U+0031), {told_apart}"
+    );
+    check(
+        EXPLICIT,
+        &[
+            (Put("/actions", "[\"a\", \"b\", \"s 1\", \"s  1\"]"), &inside),
+            (Put("/actions", "[\"a\", \"b\", \" a\", \"a \"]"), "no error"),
+        ],
+    );
     check(
         DELIVERY,
         &[(

@@ -1,16 +1,17 @@
 //! Facts that exclude each other, by domain.
 
+use mo_copp::task::Fact;
+
 use super::grounded;
 
 /// The groups of more than one fact, and how many facts are in none.
 fn groups(domain: &str, task: &str) -> (Vec<Vec<String>>, usize) {
     let grounded = grounded(domain, task);
     let task = &grounded.task;
-    let layout = task.layout();
-    let mut groups = vec![Vec::new(); layout.group_count()];
-    for fact in task.facts() {
-        groups[layout.group(fact)].push(task.fact_name(fact).to_owned());
-    }
+    let names = |group: Vec<Fact>| {
+        group.into_iter().map(|fact| task.fact_name(fact).to_owned()).collect::<Vec<_>>()
+    };
+    let groups: Vec<Vec<String>> = task.exclusive_groups().into_iter().map(names).collect();
     let alone = groups.iter().filter(|group| group.len() == 1).count();
     (groups.into_iter().filter(|group| group.len() > 1).collect(), alone)
 }

@@ -45,7 +45,10 @@ fn three_blocks() {
     assert_eq!(actions[..4], ["(grab a)", "(grab b)", "(grab c)", "(release a)"]);
     assert!(actions.contains(&"(put a b)") && !actions.contains(&"(put a a)"));
     // Where a block is takes two bits or three, whether it is clear one, the hand one.
-    assert_eq!((grounded.task.layout().group_count(), grounded.task.layout().words()), (7, 1));
+    assert_eq!(
+        (grounded.task.exclusive_groups().len(), grounded.task.initial_state().words().len()),
+        (7, 1)
+    );
 }
 
 #[test]
@@ -61,7 +64,7 @@ fn what_never_changes_is_no_fact() {
     assert_eq!(facts(&grounded), ["(at a)", "(at b)", "(at c)"]);
     assert_eq!(actions(&grounded), ["(go a b)", "(go b c)"]);
     assert_eq!(grounded.goal.unwrap().len(), 1);
-    assert_eq!(grounded.task.layout().group_count(), 1);
+    assert_eq!(grounded.task.exclusive_groups().len(), 1);
 }
 
 #[test]
@@ -166,7 +169,7 @@ fn further_states_and_conditions() {
     assert_eq!(facts(&all)[..6], expected);
     assert_eq!(all.never.map(|fact| facts(&all)[fact.index()]), facts(&all).get(6).copied());
     assert_eq!(actions(&all), ["(go a b)", "(go c d)"]);
-    assert_eq!(all.task.layout().group_count(), 4);
+    assert_eq!(all.task.exclusive_groups().len(), 4);
     let meanings: Vec<_> = all.conditions.iter().map(|c| c.as_ref().map(Vec::len)).collect();
     assert_eq!(meanings, [Some(1), Some(1), None]);
     let mut found = Vec::new();

@@ -405,7 +405,7 @@ fn check(world: &World, seen: &mut Seen) {
     seen.left_out += usize::from(ground_task.operators().len() < world.instances().len());
     seen.negated +=
         usize::from(ground_task.facts().any(|f| ground_task.fact_name(f).starts_with("(not")));
-    seen.groups += usize::from(ground_task.layout().group_count() < ground_task.fact_count());
+    seen.groups += usize::from(ground_task.exclusive_groups().len() < ground_task.fact_count());
     seen.unreachable += usize::from(grounded.goal.is_none());
     let never = std::iter::once(&grounded.goal).chain(&grounded.conditions).any(Option::is_none);
     assert_eq!(grounded.never.is_some(), never);

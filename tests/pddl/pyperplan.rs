@@ -68,7 +68,7 @@ fn plan(domain: &Path, task: &Path) -> Option<Vec<String>> {
     let domain = read_domain(&text(domain)).unwrap();
     let task = read_task(&domain, &text(task)).unwrap();
     let task = Arc::new(ground(&domain, &task, &ExtraInputs::default()).unwrap().task);
-    let limits = Limits { expansions: EXPANSIONS, ..Limits::default() };
+    let limits = Limits::default().with_expansions(EXPANSIONS);
     let mut run = ClassicalRun::new(Arc::clone(&task), limits);
     while !run.advance(100) {}
     run.outcome().unwrap().plan.map(|plan| plan.names(&task))

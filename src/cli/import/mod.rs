@@ -82,10 +82,8 @@ fn note(notes: &[String]) {
 /// `NAME=OBJECT,OBJECT`, several times.
 fn groups(texts: &[String], option: &'static str) -> Result<Vec<(String, Vec<String>)>, CliError> {
     let group = |text: &String| {
-        let wrong = || mo_copp::solver::OptionsError {
-            option,
-            found: format!("{text:?}"),
-            expected: "NAME=OBJECT,OBJECT…".to_owned(),
+        let wrong = || {
+            mo_copp::solver::OptionsError::new(option, format!("{text:?}"), "NAME=OBJECT,OBJECT…")
         };
         let (name, objects) = text.split_once('=').ok_or_else(wrong)?;
         let objects = objects.split(',').map(|object| object.trim().to_owned()).collect();

@@ -13,7 +13,7 @@ impl Delivery {
     /// # Errors
     ///
     /// [`DocumentError`] with the place.
-    pub fn read(document: &Reader<'_>) -> Result<Self, DocumentError> {
+    pub(in crate::domain) fn read(document: &Reader<'_>) -> Result<Self, DocumentError> {
         let fields =
             document.fields(&["format", "factories", "deliver", "true_goal", "observers"])?;
         Ok(Self {

@@ -11,6 +11,9 @@ use crate::problem::{Goal, Observer, Problem, Role, StateNaming};
 use crate::sensor::SensorBuilder;
 use crate::task::{Fact, State, Task, TaskBuilder};
 
+/// What an action is called in messages.
+const ACTION: &str = "an action";
+
 /// Names and their positions.
 struct Index<'a> {
     kind: &'static str,
@@ -23,7 +26,12 @@ impl<'a> Index<'a> {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let mut known = Names::default();
         for (position, name) in names.iter().enumerate() {
-            known.add(name, "the name", || format!("{path}[{position}]"))?;
+            let path = || format!("{path}[{position}]");
+            if kind == ACTION {
+                known.add_action(name, path)?;
+            } else {
+                known.add(name, "the name", path)?;
+            }
         }
         let positions =
             names.iter().enumerate().map(|(position, name)| (*name, position)).collect();
@@ -89,7 +97,7 @@ impl Explicit {
         builder: &mut TaskBuilder,
     ) -> Result<(Resolved<'a>, Vec<Fact>), DocumentError> {
         let states = Index::new("states", "a state", &self.states)?;
-        let actions = Index::new("actions", "an action", &self.actions)?;
+        let actions = Index::new("actions", ACTION, &self.actions)?;
         for action in &actions.names {
             builder.action(action);
         }

@@ -23,7 +23,7 @@ impl Explicit {
     /// # Errors
     ///
     /// [`DocumentError`] with the place.
-    pub fn read(document: &Reader<'_>) -> Result<Self, DocumentError> {
+    pub(in crate::domain) fn read(document: &Reader<'_>) -> Result<Self, DocumentError> {
         let fields = document.fields(&KEYS)?;
         Ok(Self {
             states: names(&fields.required("states", "a list of state names")?)?,

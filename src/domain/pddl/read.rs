@@ -13,7 +13,7 @@ impl Pddl {
     /// # Errors
     ///
     /// [`DocumentError`] with the place.
-    pub fn read(document: &Reader<'_>) -> Result<Self, DocumentError> {
+    pub(in crate::domain) fn read(document: &Reader<'_>) -> Result<Self, DocumentError> {
         let fields =
             document.fields(&["format", "domain", "problem", "goals", "true_goal", "observers"])?;
         let pddl = |key, expected| PddlText::read(&fields.required(key, expected)?);

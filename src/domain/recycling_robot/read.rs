@@ -27,7 +27,7 @@ impl RecyclingRobot {
     /// # Errors
     ///
     /// [`DocumentError`] with the place.
-    pub fn read(document: &Reader<'_>) -> Result<Self, DocumentError> {
+    pub(in crate::domain) fn read(document: &Reader<'_>) -> Result<Self, DocumentError> {
         let fields = document.fields(&KEYS)?;
         let Sides { width, height, walls } = sides(&fields, MAX_SIDE)?;
         Ok(Self {

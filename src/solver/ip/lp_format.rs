@@ -28,7 +28,7 @@ fn terms<'a>(text: &mut String, terms: impl Iterator<Item = (&'a VariableData, f
 }
 
 /// A program without a solution, for problems that need none to be called infeasible.
-pub fn infeasible(why: &str) -> String {
+pub(super) fn infeasible(why: &str) -> String {
     format!(
         "\\ infeasible: {why}\nMaximize\n difference: none\nSubject To\n never: none >= 1\n\
          Bounds\n none = 0\nEnd\n"
@@ -36,7 +36,7 @@ pub fn infeasible(why: &str) -> String {
 }
 
 /// The model as LP text. Linear in its size.
-pub fn to_lp(model: &Model) -> String {
+pub(super) fn to_lp(model: &Model) -> String {
     let mut text = String::new();
     for note in model.notes() {
         let _ = writeln!(text, "\\ {note}");

@@ -1,18 +1,18 @@
 //! Integer programming: the best plan of exactly T actions.
 //!
-//! - [`model`] is a linear program with integer variables, as data,
-//! - [`paper`] writes the paper's equations (3) to (17) into one, with their corrections,
-//! - [`belief_flow`] writes a far smaller one, whose relaxation is nearly integral,
-//! - [`objective`] is what both maximise,
-//! - [`lp_format`] prints a model for any other solver,
-//! - [`branch_and_bound`] solves it with microlp, in slices.
+//! - `model` is a linear program with integer variables, as data,
+//! - `paper` writes the paper's equations (3) to (17) into one, with their corrections,
+//! - `belief_flow` writes a far smaller one, whose relaxation is nearly integral,
+//! - `objective` is what both maximise,
+//! - `lp_format` prints a model for any other solver,
+//! - `branch_and_bound` solves it with microlp, in slices.
 
-pub mod belief_flow;
-pub mod branch_and_bound;
-pub mod lp_format;
-pub mod model;
-pub mod objective;
-pub mod paper;
+mod belief_flow;
+mod branch_and_bound;
+mod lp_format;
+mod model;
+mod objective;
+mod paper;
 
 use std::sync::Arc;
 
@@ -27,9 +27,9 @@ use model::{Model, Variable};
 
 /// A problem at a horizon as an integer program.
 #[derive(Debug)]
-pub struct Encoded {
+pub(super) struct Encoded {
     /// The program. Maximising it maximises `|G_X| − |G_C|`.
-    pub model: Model,
+    model: Model,
     /// For each step, the actions that can be taken and the variables whose sum says whether one
     /// is.
     choices: Vec<Vec<(Action, Vec<Variable>)>>,
@@ -48,13 +48,51 @@ impl Encoded {
     }
 }
 
+/// An integer program in LP format, which other solvers read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct LpFormat {
+    /// The text. Maximising its objective maximises `|G_X| − |G_C|`.
+    pub text: String,
+    /// False where it is known beforehand that there is no plan; no solver can solve the text then.
+    pub may_be_solved: bool,
+}
+
+/// Writes a problem at a horizon as an integer program in LP format.
+///
+/// # Errors
+///
+/// The memory limit, or the limit on the size of a model.
+///
+/// ```
+/// use std::sync::Arc;
+/// use mo_copp::{domain::Delivery, solver::{Options, Solver, lp_format}};
+/// let problem = Arc::new(Delivery::figure_1().problem()?);
+/// let program = lp_format(problem, &Options::new(Solver::Ip), 3)?;
+/// assert!(program.may_be_solved && program.text.contains("Maximize"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn lp_format(
+    problem: Arc<Problem>,
+    options: &Options,
+    horizon: usize,
+) -> Result<LpFormat, LimitReached> {
+    Ok(match encode(problem, options, horizon)? {
+        Some(encoded) => LpFormat { text: lp_format::to_lp(&encoded.model), may_be_solved: true },
+        None => {
+            let why = format!("there is no such plan of {horizon} actions");
+            LpFormat { text: lp_format::infeasible(&why), may_be_solved: false }
+        }
+    })
+}
+
 /// Writes a problem at a horizon as an integer program; none when the actor alone, without anybody
 /// watching, has no plan of that length, or none whose final beliefs could keep the bounds.
 ///
 /// # Errors
 ///
 /// The memory limit, or the limit on the size of a model.
-pub fn encode(
+pub(super) fn encode(
     problem: Arc<Problem>,
     options: &Options,
     horizon: usize,

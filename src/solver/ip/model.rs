@@ -117,11 +117,6 @@ impl Model {
         &self.notes
     }
 
-    /// How many variables take 0 or 1 only.
-    pub fn binary_count(&self) -> usize {
-        self.variables.iter().filter(|variable| variable.kind == Kind::Binary).count()
-    }
-
     pub(super) fn note(&mut self, text: impl Into<String>) {
         self.notes.push(text.into());
     }
@@ -170,23 +165,5 @@ impl Model {
             return Err(LimitReached::Model { limit: limits.nonzeros });
         }
         Ok(())
-    }
-
-    /// How far an assignment is from keeping every row and bound.
-    pub fn violation(&self, value: impl Fn(Variable) -> f64) -> f64 {
-        let mut worst: f64 = 0.0;
-        for (index, data) in self.variables.iter().enumerate() {
-            let value = value(Variable(index as u32));
-            worst = worst.max(data.lower - value).max(value - data.upper);
-        }
-        for row in &self.rows {
-            let left: f64 = row.terms.iter().map(|&(v, coefficient)| coefficient * value(v)).sum();
-            worst = worst.max(match row.comparison {
-                Comparison::AtMost => left - row.right,
-                Comparison::Equal => (left - row.right).abs(),
-                Comparison::AtLeast => row.right - left,
-            });
-        }
-        worst
     }
 }

@@ -62,6 +62,7 @@ impl Change {
 
 /// A change that allows a plan. All other options stay as they are.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Remedy {
     /// The option.
     pub change: Change,
@@ -75,6 +76,7 @@ pub struct Remedy {
 
 /// Why there is no plan, and what would do.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Advice {
     /// Why; none where there is a plan after all, or the work stopped before that was known.
     pub reason: Option<Reason>,
