@@ -102,7 +102,7 @@ fn what_does_not_fit_together_is_refused() {
     assert!(said.ends_with("expected a record of this part"), "{said}");
     // A torn line is no record.
     std::fs::write(&files[2], &good[..good.len() - 1]).unwrap();
-    assert!(refused(&files).starts_with("1 of 10 records are missing"));
+    assert!(refused(&files).starts_with("1 of 12 records are missing"));
     std::fs::write(&files[2], "").unwrap();
     let said = refused(&files);
     assert!(said.ends_with("found no whole line, expected the header of a file of records"));

@@ -63,7 +63,7 @@ fn records_that_cannot_be_are_refused() {
         (
             "search",
             vec![("/options/k", json!(1))],
-            "the options {\"k\":2,\"j\":2}, not {\"k\":1,\"j\":2}",
+            "the options {\"k\":2,\"j\":2,\"expansions\":50000}, not {\"k\":1,\"j\":2,",
         ),
         ("exact", vec![("/options/horizon", json!(99))], "the options {\"horizon\":12}, not"),
         ("exact", vec![("/status", json!("solved"))], "a status that this solver gives, not"),

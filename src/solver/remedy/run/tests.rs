@@ -56,7 +56,7 @@ fn one_question_after_the_other_leads_to_the_same_advice() {
 fn remedies_found_before_a_limit_are_kept() {
     let mut dice = Dice::new(85);
     let (mut kept, mut limited) = (0, 0);
-    for _ in 0..3_000 {
+    for _ in 0..5_000 {
         let judge = Judge::built(random::table(&mut dice, MEDIUM, &PAIR), 0);
         let wish = random::wish(&mut dice, &judge.table);
         let asked = dice.percent(80).then(|| dice.below(9));
