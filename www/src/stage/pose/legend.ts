@@ -6,6 +6,8 @@ import { robot } from "./robot.js";
 const sample = ([mark, meaning]: readonly [SVGTemplateResult, string]) =>
   html`<li><svg class="board pose" viewBox="0 0 1 1" aria-hidden="true">${mark}</svg>${meaning}</li>`;
 
+const badge = svg`<rect class="badge" x="0.08" y="0.18" width="0.84" height="0.64" rx="0.18"></rect>`;
+
 /** The signs of every such board, and those that the domain adds. */
 export const poseSigns = (more: readonly (readonly [SVGTemplateResult, string])[]): TemplateResult =>
   html`<ul class="legend" part="legend" aria-label="What the signs mean">
@@ -25,6 +27,11 @@ export const poseSigns = (more: readonly (readonly [SVGTemplateResult, string])[
       [
         svg`<circle class="mark friend on" cx="0.5" cy="0.5" r="0.34"></circle>`,
         "goal possible for the friend",
+      ] as const,
+      [svg`<g class="goal open">${badge}</g>`, "goal not possible now"] as const,
+      [
+        svg`<g class="goal dead">${badge}<line class="strike" x1="0.08" y1="0.82" x2="0.92" y2="0.18"></line></g>`,
+        "goal ruled out",
       ] as const,
     ].map(sample)}
   </ul>`;
