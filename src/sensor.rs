@@ -67,6 +67,13 @@ impl Sensor {
         reading.cases.iter().map(|(_, symbol)| *symbol).chain([reading.otherwise])
     }
 
+    /// The symbol for an operator, whatever it results in; none where that matters.
+    pub fn fixed(&self, operator: OperatorId) -> Option<Symbol> {
+        let reading = &self.readings[operator.index()];
+        let same = reading.cases.iter().all(|(_, symbol)| *symbol == reading.otherwise);
+        same.then_some(reading.otherwise)
+    }
+
     /// The symbol for an operator that has resulted in the packed state `after`.
     pub fn read(&self, task: &Task, operator: OperatorId, after: &[u64]) -> Symbol {
         let reading = &self.readings[operator.index()];

@@ -46,8 +46,51 @@ pub enum Command {
     Generate(GenerateArgs),
     /// Make a document of a goal-recognition problem.
     Import(ImportArgs),
+    /// Print what an observer of a PDDL document sees as a table in CSV, or put such a table into the document.
+    Sensor(SensorArgs),
+    /// Print a script that completes the command in a shell.
+    Completions(CompletionsArgs),
+    /// Print the manual page of the command, or of one of its commands.
+    Manual(ManualArgs),
     /// Repeat the paper's experiments: records, tables, figures.
     Experiment(ExperimentArgs),
+}
+
+/// Sensors as tables.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The table has a first line operator,symbol and then one line for each operator.
+
+Examples:
+  mo-copp sensor blocks.json --observer adversarial > table.csv
+  mo-copp sensor blocks.json --observer adversarial --table table.csv > other.json")]
+pub struct SensorArgs {
+    /// A pddl document, or - for the standard input.
+    #[arg(value_name = "PROBLEM")]
+    pub problem: PathBuf,
+    /// Whose sensor: adversarial or cooperative.
+    #[arg(long, value_name = "ROLE")]
+    pub observer: String,
+    /// A table in CSV that becomes the observer's sensor. The document with it is printed.
+    #[arg(long, value_name = "FILE")]
+    pub table: Option<PathBuf>,
+    /// The template of symbols for operators that are not in the table.
+    #[arg(long, value_name = "TEMPLATE", requires = "table")]
+    pub otherwise: Option<String>,
+}
+
+/// Completions.
+#[derive(Debug, Args)]
+pub struct CompletionsArgs {
+    /// The shell.
+    pub shell: clap_complete::Shell,
+}
+
+/// The manual.
+#[derive(Debug, Args)]
+pub struct ManualArgs {
+    /// One of the commands, as in solve; the whole command when left out.
+    pub command: Option<String>,
 }
 
 /// Make a document of a goal-recognition problem.

@@ -11,11 +11,13 @@ mod generate;
 mod import;
 mod input;
 mod interrupt;
+mod manual;
 mod picture;
 mod plan;
 mod plan_text;
 mod progress;
 mod remedy;
+mod sensor;
 mod solve;
 mod trace;
 
@@ -48,6 +50,9 @@ pub fn main() -> ExitCode {
         Command::Plan(args) => plan::run(&args),
         Command::Generate(args) => unless_stopped(move || generate::run(&args)),
         Command::Import(args) => unless_stopped(move || import::run(&args)),
+        Command::Sensor(args) => unless_stopped(move || sensor::run(&args)),
+        Command::Completions(args) => manual::completions(&args),
+        Command::Manual(args) => manual::run(&args),
         Command::Experiment(args) => experiment::run_command(&args),
     };
     match done {

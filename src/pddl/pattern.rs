@@ -198,6 +198,16 @@ impl Pattern {
         Ok(Argument::Variable(kind))
     }
 
+    /// The action's schema and the arguments, where all of these are objects.
+    pub fn operator(&self) -> Option<(usize, Vec<ObjectId>)> {
+        let object = |argument: &Argument| match argument {
+            Argument::Object(object) => Some(*object),
+            Argument::Variable(_) | Argument::Same(_) => None,
+        };
+        let arguments = self.arguments.as_ref()?.iter().map(object).collect::<Option<_>>()?;
+        Some((self.schema?, arguments))
+    }
+
     /// The position of the action's schema in the domain; none for any.
     pub fn schema(&self) -> Option<usize> {
         self.schema

@@ -14,6 +14,7 @@ mod pddl_leniency;
 mod places;
 mod robots;
 mod round_trip;
+mod sensor_tables;
 
 pub use delivery::DELIVERY;
 pub use explicit::EXPLICIT;

@@ -15,6 +15,7 @@ pub mod import;
 mod outline;
 mod read;
 mod sensor;
+mod table;
 mod template;
 mod text;
 
@@ -98,6 +99,14 @@ pub enum PddlSensor {
     Template(String),
     /// The first rule that matches.
     Rules(Vec<PddlRule>),
+    /// A symbol for each operator that is listed.
+    Table {
+        /// Ground operators with their symbols.
+        table: Vec<(String, String)>,
+        /// What is seen of all others; every operator must be in the table when it is left out.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        otherwise: Option<Box<PddlSensor>>,
+    },
 }
 
 /// A rule of a sensor.

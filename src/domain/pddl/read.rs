@@ -84,8 +84,20 @@ fn state(reader: &Reader<'_>) -> Result<PddlState, DocumentError> {
 }
 
 fn sensor(reader: &Reader<'_>) -> Result<PddlSensor, DocumentError> {
+    let Json::Object(_) = reader.value() else { return by_rule(reader) };
+    let fields = reader.fields(&["table", "otherwise"])?;
+    let row = |row: &Reader<'_>| match row.list(text)?.as_slice() {
+        [operator, symbol] => Ok((operator.clone(), symbol.clone())),
+        _ => Err(row.expected("an operator and its symbol, as in [\"(stack a b)\", \"a noise\"]")),
+    };
+    let table = fields.required("table", "a list of operators with their symbols")?.list(row)?;
+    let otherwise = fields.optional("otherwise").map(|r| by_rule(&r)).transpose()?.map(Box::new);
+    Ok(PddlSensor::Table { table, otherwise })
+}
+
+fn by_rule(reader: &Reader<'_>) -> Result<PddlSensor, DocumentError> {
     match reader.value() {
-        Json::Text(_) => Ok(PddlSensor::Template(reader.name()?.to_owned())),
+        Json::Text(_) => text(reader).map(PddlSensor::Template),
         Json::Array(_) => reader.list(rule).map(PddlSensor::Rules),
         _ => Err(reader.expected("a template of symbols, or a list of rules")),
     }

@@ -4,6 +4,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::build::{Texts, at};
 use super::cover::covers;
+use super::table::Table;
 use super::template::Template;
 use super::{PddlObserver, PddlSensor};
 use crate::document::DocumentError;
@@ -34,6 +35,7 @@ struct Rule {
 
 /// How an observer sees operators, once the texts are read.
 pub(super) struct Eye<'a> {
+    table: Table,
     rules: Vec<Rule>,
     /// The name under which each object is seen, by its number.
     seen: Vec<&'a str>,
@@ -71,21 +73,31 @@ impl<'a> Eye<'a> {
             }
         }
         let path = format!("{path}.sensor");
-        let mut eye = Self { rules: Vec::new(), seen, path };
-        match &observer.sensor {
-            PddlSensor::Template(template) => {
-                eye.add(texts, &groups, ("*", None, template), |_| String::new())?;
+        let mut eye = Self { table: Table::default(), rules: Vec::new(), seen, path };
+        let by_rule = match &observer.sensor {
+            PddlSensor::Table { table, otherwise } => {
+                eye.table = Table::read(table, texts, &eye.path)?;
+                otherwise.as_deref().map(|sensor| (sensor, ".otherwise"))
             }
-            PddlSensor::Rules(rules) if rules.len() > MAX_RULES => {
+            other => Some((other, "")),
+        };
+        match by_rule {
+            // The reader takes no table for what is seen otherwise.
+            None | Some((PddlSensor::Table { .. }, _)) => {}
+            Some((PddlSensor::Template(template), key)) => {
+                eye.add(texts, &groups, ("*", None, template), |_| key.to_owned())?;
+            }
+            Some((PddlSensor::Rules(rules), key)) if rules.len() > MAX_RULES => {
                 let found = format!("{} rules", rules.len());
                 let expected = format!("at most {MAX_RULES}");
-                return Err(DocumentError::invalid(&eye.path, found, expected));
+                let path = format!("{}{key}", eye.path);
+                return Err(DocumentError::invalid(path, found, expected));
             }
-            PddlSensor::Rules(rules) => {
+            Some((PddlSensor::Rules(rules), key)) => {
                 for (index, rule) in rules.iter().enumerate() {
                     let texts_of_rule =
                         (rule.operator.as_str(), rule.result.as_deref(), rule.symbol.as_str());
-                    let place = |key: &str| format!("[{index}].{key}");
+                    let place = |part: &str| format!("{key}[{index}].{part}");
                     eye.add(texts, &groups, texts_of_rule, place)?;
                 }
             }
@@ -173,6 +185,11 @@ impl<'a> Eye<'a> {
             let (schema, objects) = (grounded.schema(action), grounded.arguments(action));
             let mut reading = Reading::default();
             let mut complete = false;
+            if let Some(symbol) = self.table.symbol(schema, objects) {
+                reading.otherwise = numbers.symbol(symbol.to_owned(), &mut readings.symbols);
+                readings.of_operators.push(reading);
+                continue;
+            }
             let fits = |rule: &&Rule| rule.pattern.matches(&texts.task, schema, objects);
             for rule in self.rules.iter().filter(fits) {
                 let symbol = self.symbol(texts, grounded, action, rule);
@@ -218,7 +235,7 @@ impl<'a> Eye<'a> {
             if !complete {
                 let name = grounded.task.action_name(action);
                 let (found, expected) = if reading.cases.is_empty() {
-                    (format!("no symbol for {name}"), "a rule that matches it")
+                    (format!("no symbol for {name}"), self.expected_symbol())
                 } else {
                     let found = format!("no symbol for {name} in every resulting state");
                     let expected =
@@ -230,6 +247,14 @@ impl<'a> Eye<'a> {
             readings.of_operators.push(reading);
         }
         Ok(readings)
+    }
+
+    /// What would give an operator a symbol.
+    fn expected_symbol(&self) -> &'static str {
+        match self.table.is_empty() {
+            true => "a rule that matches it",
+            false => "it in the table, or a rule that matches it",
+        }
     }
 
     fn symbol(&self, texts: &Texts, grounded: &Grounded, action: Action, rule: &Rule) -> String {
