@@ -1,9 +1,10 @@
-// The candidate goals on a board that has very many of them: a badge each, without its name. They are made once, a part
+// The candidate goals on a board that has very many of them: a badge each, without its name and in its cell. They are made once, a part
 // at a time, and then only what changes is touched.
 import { noChange } from "lit";
 import { AsyncDirective } from "lit/async-directive.js";
 import { directive, type ElementPart } from "lit/directive.js";
 import type { Place } from "../../view/goal-place.js";
+import { starPath } from "../../view/icons.js";
 import { named } from "../../view/names.js";
 import type { BoardName } from "../board-input.js";
 import { type GoalView, isKnown } from "../goal-attributes.js";
@@ -74,6 +75,14 @@ function pattern(): SVGGElement {
   return group;
 }
 
+function star(): SVGPathElement {
+  const path = create("path");
+  for (const [name, value] of Object.entries({ class: "star", transform: "scale(0.6)", d: starPath })) {
+    path.setAttribute(name, value);
+  }
+  return path;
+}
+
 let first: SVGGElement | undefined;
 
 function made(): Badge {
@@ -100,6 +109,8 @@ function show(badge: Badge, { board, goals, places }: GoalsDrawn, index: number)
   group.setAttribute("transform", `translate(${x} ${y}) scale(${scale})`);
   group.setAttribute("data-goal", goal.name);
   group.toggleAttribute("data-true-goal", goal.isTrue);
+  group.querySelector(".star")?.remove();
+  if (goal.isTrue) group.append(star());
   for (const role of ["adversarial", "cooperative"] as const) {
     const { [role]: attribute } = goal.attributes;
     if (isKnown(attribute)) group.setAttribute(`data-${role}`, attribute);

@@ -17,8 +17,10 @@ const LONGEST_LABEL = 3;
 
 /** The marks of all goals: those that share a cell stand side by side in it, and the true goal is on top of all. */
 export function goalMarks(board: BoardName, goals: readonly GoalView[], cells: readonly Cell[], scale: number) {
-  const places = placesOf(cells, scale);
-  if (goals.length > MANY_GOALS) return svg`<g ${goalLayer({ board, goals, places })}></g>`;
+  // Larger than their cells they would hide each other.
+  const many = goals.length > MANY_GOALS;
+  const places = placesOf(cells, many ? 1 : scale);
+  if (many) return svg`<g ${goalLayer({ board, goals, places })}></g>`;
   const placed = goals.map((goal, index) => ({ goal, place: places[index] ?? { x: 0, y: 0, scale } }));
   return [...placed.filter(({ goal }) => !goal.isTrue), ...placed.filter(({ goal }) => goal.isTrue)].map(
     ({ goal, place }) => goalMark(board, goal, place),
