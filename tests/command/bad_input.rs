@@ -259,7 +259,7 @@ fn arguments() {
         (&["--j=-1"], "--j"),
         (
             &["--solver", "magic"],
-            "found magic, expected one of exact, ip, search, baseline, obfuscate, legible",
+            "found magic, expected one of exact, ip, search, satisficing, baseline, obfuscate, legible",
         ),
         (&["--encoding", "magic"], "found magic, expected one of paper, belief-flow"),
         (&["--solver", "ip", "--horizon", "any"], "horizon: found any, expected a number of steps"),

@@ -48,7 +48,7 @@ fn a_run_leaves_records_tables_and_figures() {
         assert!(out.join(file).is_file(), "{file}");
     }
     let records = std::fs::read(out.join("records.jsonl")).unwrap();
-    assert_eq!(lines(&out.join("records.jsonl")).len(), 1 + 2 * 5);
+    assert_eq!(lines(&out.join("records.jsonl")).len(), 1 + 2 * 6);
     // There is nothing left to do.
     let again = fig3("2", &out, &["--jobs", "1"]);
     assert_eq!((again.code, again.out), (0, first.out));
@@ -244,7 +244,7 @@ fn a_stopped_run_goes_on_where_it_stopped() {
         assert!(text.lines().count() > before, "nothing that was recorded is lost");
         before = text.lines().count();
         if code == 3 {
-            let all = 30 * 5;
+            let all = 30 * 6;
             let message = format!("stopped with {} of {all} records in ", before - 1);
             assert!(ran.err.contains(&message), "{}", ran.err);
             assert!(ran.err.contains("the same command goes on from there"), "{}", ran.err);
