@@ -87,7 +87,9 @@ fn collect(nodes: &[Node], found: &mut Vec<Node>) {
 /// Lists that are not closed end with the text; a parenthesis too many is left out.
 fn read(text: &str) -> Vec<Node> {
     let mut open: Vec<Vec<Node>> = vec![Vec::new()];
-    let spaced = text.replace('(', " ( ").replace(')', " ) ");
+    // On one line a comment would swallow the rest.
+    let lines = text.lines().map(|line| line.split(';').next().unwrap_or_default());
+    let spaced = lines.collect::<Vec<_>>().join("\n").replace('(', " ( ").replace(')', " ) ");
     for word in spaced.split_whitespace() {
         match word {
             // Deeper nesting is tried by tests of its own.
