@@ -202,3 +202,32 @@ test("patience counts the time at work, not the time that fetching the full core
   client.dispose();
   mock.timers.reset();
 });
+
+test("the full core is fetched in a pause after an answer, not while there is work, nor where data is to be saved", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const told = () => ScriptedWorker.last.heard.filter(({ kind }) => kind === "ahead").length;
+  const client = new SolverClient();
+  const answer = async () => {
+    const ending = client.run(solve);
+    const { id } = ScriptedWorker.last.heard.at(-1) as { id: number };
+    ScriptedWorker.last.say({ kind: "solved", id, outcome, trace, scene });
+    await ending;
+  };
+  await answer();
+  mock.timers.tick(900);
+  await answer();
+  mock.timers.tick(900);
+  assert.equal(told(), 0);
+  mock.timers.tick(100);
+  assert.equal(told(), 1);
+  const connection = { saveData: true };
+  const before = Object.getOwnPropertyDescriptor(globalThis, "navigator");
+  Object.defineProperty(globalThis, "navigator", { value: { connection }, configurable: true });
+  await answer();
+  mock.timers.tick(5000);
+  assert.equal(told(), 1);
+  if (before) Object.defineProperty(globalThis, "navigator", before);
+  else Reflect.deleteProperty(globalThis, "navigator");
+  client.dispose();
+  mock.timers.reset();
+});

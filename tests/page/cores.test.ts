@@ -5,11 +5,12 @@ import { test } from "node:test";
 import type { Page } from "playwright-core";
 import initLight, { Problem as LightProblem } from "../../www/pkg-light/mo_copp_light.js";
 import type { SolveOptions } from "../../www/src/core.js";
-import { type Visit, visit } from "./support/browser.js";
+import { type Options, type Visit, visit } from "./support/browser.js";
 import { scene, solve } from "./support/core.js";
 import { grid } from "./support/documents.js";
 import { documentOf, entries } from "./support/gallery.js";
 import { attribute, choose, openTab, press, statusIs, useDocument } from "./support/playground.js";
+import { withoutLookingAhead } from "./support/workers.js";
 
 await initLight({
   module_or_path: readFileSync(new URL("../../www/pkg-light/mo_copp_light_bg.wasm", import.meta.url)),
@@ -83,8 +84,43 @@ test("the light core says what needs the full one, and only that", () => {
   assert.equal(remedy.outcome().shortest, 5);
 });
 
+/** What needs the full core fetches it; nothing else does. */
+const onDemand = (use: (visited: Visit) => Promise<void>, options: Options = {}) =>
+  visit(use, { before: withoutLookingAhead, ...options });
+
+test("in the first pause the full core is fetched, and everything is answered by it from then on", () => {
+  let came = (): void => undefined;
+  const full = new Promise<void>((resolve) => {
+    came = resolve;
+  });
+  return visit(
+    async (visited) => {
+      const { page } = visited;
+      await statusIs(page, "optimal");
+      const difference = await attribute(page, "data-gd");
+      await full;
+      assert.deepEqual(fetched(visited), { light: 1, full: 1 });
+      // It is there, or on its way: nothing is fetched again.
+      await network(page, false);
+      await choose(page, "Solver", "ip");
+      await press(page, "Solve");
+      await page.getByText(/^Integer program: proved best/).waitFor();
+      await choose(page, "Solver", "exact");
+      await page.waitForSelector(`mo-copp-playground[data-status=optimal][data-gd="${difference}"]`);
+      assert.deepEqual(fetched(visited), { light: 1, full: 1 });
+    },
+    {
+      before: async (page) => {
+        page.context().on("response", (response) => {
+          if (isFull(new URL(response.url()).pathname)) came();
+        });
+      },
+    },
+  );
+});
+
 test("the first load fetches the light core alone, an integer program the full one, once", () =>
-  visit(async (visited) => {
+  onDemand(async (visited) => {
     const { page } = visited;
     await statusIs(page, "optimal");
     assert.deepEqual(fetched(visited), { light: 1, full: 0 });
@@ -112,7 +148,7 @@ test("the first load fetches the light core alone, an integer program the full o
   }));
 
 test("a problem in PDDL fetches the full core and is solved by it", () =>
-  visit(async (visited) => {
+  onDemand(async (visited) => {
     const { page } = visited;
     await statusIs(page, "optimal");
     await useDocument(page, rooms());
@@ -137,7 +173,7 @@ async function network(page: Page, there: boolean): Promise<void> {
 const isFullUrl = (address: URL) => isFull(address.pathname);
 
 test("a full core that can't be loaded is said to be so, leaves the problem as it was, and is asked for again", () =>
-  visit(
+  onDemand(
     async (visited) => {
       const { page } = visited;
       await statusIs(page, "optimal");
@@ -173,7 +209,7 @@ test("a full core that can't be loaded is said to be so, leaves the problem as i
   ));
 
 test("while the full core is on its way, what needs the light one alone is answered", () =>
-  visit(async (visited) => {
+  onDemand(async (visited) => {
     const { page } = visited;
     await statusIs(page, "optimal");
     let letThrough = () => {};

@@ -10,6 +10,15 @@ export const withDeafWorkers = (page: Page) =>
     };
   `);
 
+/** Workers that fetch the full core only when something needs it. */
+export const withoutLookingAhead = (page: Page) =>
+  page.addInitScript(`
+    const send = Worker.prototype.postMessage;
+    Worker.prototype.postMessage = function (message, ...rest) {
+      if (message.kind !== "ahead") send.call(this, message, ...rest);
+    };
+  `);
+
 /** Workers that a test finds in `window.workers`, in the order they were started; the one that got a solve last, in `lastSolver`. */
 export const withKnownWorkers = (page: Page) =>
   page.addInitScript(`

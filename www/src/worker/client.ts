@@ -9,6 +9,9 @@ import { type SolverWorker, startWorker } from "./start.js";
 /** A worker that has not taken up a task or answered a cancel by then is in one long piece of work: it is ended. */
 const PATIENCE_MS = 2000;
 
+/** After an answer and so long a pause, the worker fetches the full core, which answers faster from then on. */
+const PAUSE_MS = 1000;
+
 /** How a task ended, as the page sees it: the worker's answer, or one of the two ends that a worker can't tell. */
 export type Ending =
   | Exclude<Answer, { kind: "broken" | "solved" }>
@@ -38,6 +41,7 @@ export class SolverClient {
   private ready = false;
   private lastId = 0;
   private current: Current | null = null;
+  private ahead: ReturnType<typeof setTimeout> | undefined;
 
   /** Whether there is a worker, ready or loading. */
   get started(): boolean {
@@ -83,6 +87,7 @@ export class SolverClient {
   }
 
   private send(message: Message): void {
+    clearTimeout(this.ahead);
     this.worker ??= this.startWorker();
     this.worker.postMessage(message);
   }
@@ -101,6 +106,7 @@ export class SolverClient {
   }
 
   private stopWorker(): void {
+    clearTimeout(this.ahead);
     this.worker?.terminate();
     this.worker = null;
   }
@@ -127,7 +133,15 @@ export class SolverClient {
       this.current.report(reply);
     } else {
       this.finish(reply);
+      if (reply.kind === "solved") this.lookAhead();
     }
+  }
+
+  /** Where data is to be saved, nothing is fetched that has not been asked for. */
+  private lookAhead(): void {
+    const { connection } = (globalThis.navigator ?? {}) as { connection?: { saveData?: boolean } };
+    if (connection?.saveData || this.current !== null) return;
+    this.ahead = setTimeout(() => this.send({ kind: "ahead" }), PAUSE_MS);
   }
 
   private finish(ending: Ending): void {

@@ -1,5 +1,6 @@
-// The two builds of the core. The page begins with the light one, which lacks PDDL and integer programs; the full one is
-// fetched the first time something needs it, and does everything from then on. Which things need it, the light core says.
+// The two builds of the core. The page begins with the light one, which is built for size and lacks PDDL and integer
+// programs. The full one is built for speed; it is fetched in the first pause, or before if something needs it, and does
+// everything from then on. Which things need it, the light core says.
 
 import initFull, { Problem as FullProblem } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";
@@ -85,6 +86,11 @@ export async function onCore<T>(
   if (stale()) return null;
   begun();
   return work(current);
+}
+
+/** Fetches the full core before something needs it. A core that does not come is no fault until then. */
+export function lookAhead(): void {
+  if (current === light) toFullCore().catch(() => undefined);
 }
 
 /** One load for all who wait for it; a load that failed is tried again by the next. */

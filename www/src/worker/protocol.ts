@@ -28,8 +28,8 @@ export type Task =
   /** Why there is no plan with these options, and which change of one of them would allow one. */
   | { kind: "advise"; document: string; options: SolveOptions };
 
-/** Page to worker. `cancel` names the request it ends. */
-export type Message = (Task & { id: number }) | { kind: "cancel"; id: number };
+/** Page to worker. `cancel` names the request it ends; `ahead`: there is time to fetch the full core. */
+export type Message = (Task & { id: number }) | { kind: "cancel"; id: number } | { kind: "ahead" };
 
 /** Page to worker, where the worker cannot fetch the core by itself: the core, or why there is none. */
 export type CoreMessage =

@@ -1,6 +1,6 @@
 // The worker: the only place that runs the core. One task at a time; a newer one makes the older ones stale.
 import type { Eliminations, SolveOptions } from "../core.js";
-import { type Core, loadFirst, onCore, type Problem, takeCore } from "./cores.js";
+import { type Core, loadFirst, lookAhead, onCore, type Problem, takeCore } from "./cores.js";
 import { failure, faultIn } from "./failure.js";
 import type { Answer, CoreMessage, Fault, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
@@ -25,6 +25,8 @@ self.onmessage = ({ data }: MessageEvent<Message | CoreMessage>) => {
     takeCore(data);
   } else if (data.kind === "cancel") {
     cancelled = data.id;
+  } else if (data.kind === "ahead") {
+    lookAhead();
   } else {
     newest = data.id;
     void handle(data, data.id);
