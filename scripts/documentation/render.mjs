@@ -9,6 +9,8 @@ export const pages = [
   ["domains", "The paper’s domains"],
   ["experiments", "Experiments"],
   ["embedding", "In your own page"],
+  ["frames", "Frames"],
+  ["release", "Releases"],
 ];
 
 const escaped = (text) =>

@@ -5,6 +5,7 @@ import { run } from "../lib/run.mjs";
 import { venvPython } from "../setup/python-packages.mjs";
 import { wasmTarget } from "../setup/rust.mjs";
 import { browserTests } from "./browser-tests.mjs";
+import { kitTests } from "./kit-tests.mjs";
 import { pageTests } from "./page-tests.mjs";
 
 /** The groups of checks, and what set-up each needs. */
@@ -13,6 +14,7 @@ export const groups = {
   rust: ["rust"],
   wasm: ["wasm"],
   page: ["browser"],
+  kits: ["browser"],
   browsers: ["browsers"],
   fuzz: ["fuzz"],
 };
@@ -64,7 +66,7 @@ export const steps = [
     lane: RUST,
     run: cargo(["test", "--target", wasmTarget, "--profile", "wasm-test", "--test", "wasm"], wasmRunner),
   },
-  { name: "wasm packages", groups: ["lint", "page", "browsers"], lane: PAGE, run: buildWasm },
+  { name: "wasm packages", groups: ["lint", "page", "kits", "browsers"], lane: PAGE, run: buildWasm },
   // The page's types come from the wasm package.
   {
     name: "TypeScript types",
@@ -86,8 +88,9 @@ export const steps = [
     lane: PAGE,
     run: program(process.execPath, ["scripts/files.mjs", "--check"]),
   },
-  { name: "Page build", groups: ["page", "browsers"], lane: PAGE, needs: ["wasm packages"], run: buildPage },
+  { name: "Page build", groups: ["page", "kits", "browsers"], lane: PAGE, needs: ["wasm packages"], run: buildPage },
   { name: "Page tests in Chromium", groups: ["page"], lane: PAGE, needs: ["Page build"], run: pageTests },
+  { name: "Author kits", groups: ["kits"], lane: PAGE, needs: ["Page build"], run: kitTests },
   {
     name: "The page in Chromium, Firefox and WebKit",
     groups: ["browsers"],

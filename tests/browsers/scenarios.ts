@@ -7,6 +7,7 @@ import { documentOf, entries } from "../page/support/gallery.js";
 import { type Driver, waitFor } from "./drivers/driver.js";
 import { button, choose, labelled, playground, press, show } from "./playground.js";
 import type { Site } from "./site.js";
+import { ways } from "./ways.js";
 
 export interface Scenario {
   name: string;
@@ -213,4 +214,5 @@ export const scenarios: readonly Scenario[] = [
   { name: "a goal is dragged to another cell, and back by undo", run: editing },
   { name: "elements and a frame stand in one page, and tell of their steps", run: embedding },
   { name: "a link brings back what was shown", run: sharing },
+  { name: "the element solves from any host, in any frame and without a server", run: ways },
 ];

@@ -3,6 +3,7 @@
 // (`root="page"`). docs/embedding.md lists attributes, properties, events and parts.
 import { adopt } from "./adopt.js";
 import { PlaygroundElement } from "./playground-element.js";
+import { followInProse } from "./prose.js";
 import { Theme } from "./theme.js";
 import type { View } from "./view.js";
 
@@ -18,18 +19,80 @@ slot.poster { display: contents; }
 .failure { margin: 0; padding: 0.75rem; font: 1rem / 1.45 system-ui, sans-serif; }
 `;
 
+/**
+ * The whole playground as one element.
+ *
+ * @customElement mo-copp-playground
+ *
+ * @attr {string} src - The address of a problem document, relative to the page.
+ * @attr {string} problem - The name of a problem of the gallery.
+ * @attr {string} plan - The title of one of that problem's plans, or actions separated by commas.
+ * @attr {number} step - The step to begin with.
+ * @attr {"exact"|"ip"|"search"|"baseline"|"obfuscate"|"legible"} solver - The solver.
+ * @attr {number} k - At least so many goals survive for the enemy.
+ * @attr {number} j - At most so many goals survive for the friend.
+ * @attr {string} horizon - Plans of so many actions; `any` for all lengths.
+ * @attr {string} hide - Parts to leave out, separated by spaces.
+ * @attr {"off"} link - `off`: this playground leaves the page's address alone.
+ * @attr {"light"|"dark"|"auto"} theme - The colours; `auto`, as without it, follows the page.
+ * @attr {"page"|"focus"|"off"} keys - Where keys walk through the steps.
+ * @attr {"lazy"} loading - `lazy`: nothing is loaded before the playground nears the view.
+ * @attr {string} worker-url - Where the worker's script is, for pages that place it themselves.
+ * @attr {string} wasm-url - Where the core is, for pages that place it themselves.
+ *
+ * @fires mo-copp-step - Another step is shown, or a step of other steps.
+ * @fires mo-copp-outcome - A solver has answered; the detail is the outcome.
+ * @fires mo-copp-score - A guess or a walk of the person has come to its end; the detail's `score` is from 0 to 1.
+ *
+ * @slot - What stands for the playground until it runs, and where it cannot.
+ *
+ * @csspart playground - All that is drawn.
+ * @csspart problem-bar - The problem's name, its plans and the way to the others.
+ * @csspart toolbar - The tools that edit.
+ * @csspart boards - The three boards.
+ * @csspart board - Each board with its heading.
+ * @csspart actor-board - The agent's board.
+ * @csspart adversarial-board - The enemy's board.
+ * @csspart cooperative-board - The friend's board.
+ * @csspart stepper - The bar of the steps.
+ * @csspart legend - What the signs mean.
+ * @csspart workbench - The tabs.
+ * @csspart goals - The table of goals.
+ *
+ * @cssprop --mo-copp-font - The font; the system's by default.
+ * @cssprop --mo-copp-font-size - The size that all sizes go by; the page's root size by default.
+ * @cssprop --mo-copp-gap - The room between the boards.
+ * @cssprop --mo-copp-board-height - The most that a board's picture may be high.
+ * @cssprop --mo-copp-paper - The ground.
+ * @cssprop --mo-copp-card - The ground of boards and forms.
+ * @cssprop --mo-copp-ink - Text.
+ * @cssprop --mo-copp-muted - Text that stands back.
+ * @cssprop --mo-copp-line - Lines between parts.
+ * @cssprop --mo-copp-control - The frames of controls.
+ * @cssprop --mo-copp-floor - Free cells.
+ * @cssprop --mo-copp-wall - Walls.
+ * @cssprop --mo-copp-enemy - The enemy.
+ * @cssprop --mo-copp-enemy-tint - What the enemy believes.
+ * @cssprop --mo-copp-friend - The friend.
+ * @cssprop --mo-copp-friend-tint - What the friend believes.
+ * @cssprop --mo-copp-focus - The ring around what has the focus.
+ */
 export class MoCoppPlayground extends PlaygroundElement {
   private root: HTMLElement | null = null;
   private slotted: HTMLElement | null = null;
   private theme: Theme | null = null;
+  private stopFollowing: (() => void) | null = null;
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.stopFollowing ??= followInProse(this);
     this.theme?.connect();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.stopFollowing?.();
+    this.stopFollowing = null;
     this.theme?.disconnect();
   }
 

@@ -2,12 +2,20 @@
 // A message channel, not a timer: browsers slow nested timers down to four milliseconds and more.
 
 const waiting: (() => void)[] = [];
-const channel = new MessageChannel();
-channel.port1.onmessage = () => waiting.shift()?.();
+/** Made when it is needed: where there is no page, an open channel would keep the program from ending. */
+let channel: MessageChannel | null = null;
 
 export function nextTurn(): Promise<void> {
+  channel ??= opened();
+  const { port2 } = channel;
   return new Promise((resolve) => {
     waiting.push(resolve);
-    channel.port2.postMessage(null);
+    port2.postMessage(null);
   });
+}
+
+function opened(): MessageChannel {
+  const made = new MessageChannel();
+  made.port1.onmessage = () => waiting.shift()?.();
+  return made;
 }

@@ -1,0 +1,48 @@
+// The npm package: the element, the solver, the one script, types, the manifest of the element, and licences.
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { dist, inRoot, wasmPackage } from "../lib/paths.mjs";
+import { run } from "../lib/run.mjs";
+import { elementManifest } from "./manifest.mjs";
+
+export const packageFolder = inRoot("dist-package");
+const to = (...parts) => join(packageFolder, ...parts);
+
+/** Styles and scripts of the stand-alone page alone. */
+const ofThePage = /\.css$|^index-/;
+
+/** Resolves to the exit code. */
+export async function buildPackage() {
+  if (!existsSync(join(dist, "mo-copp-playground.single.js"))) {
+    console.error("The page is not built. What helps: npm run build");
+    return 1;
+  }
+  rmSync(packageFolder, { recursive: true, force: true });
+  cpSync(inRoot("package"), packageFolder, { recursive: true });
+  copyScripts();
+  const { version } = JSON.parse(readFileSync(inRoot("package.json"), "utf8"));
+  const described = JSON.parse(readFileSync(to("package.json"), "utf8"));
+  writeFileSync(to("package.json"), `${JSON.stringify({ ...described, version }, null, 2)}\n`);
+  for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) cpSync(inRoot(name), to(name));
+  // The page's build knows what it bundled.
+  cpSync(join(dist, "THIRD-PARTY.txt"), to("THIRD-PARTY.txt"));
+  const manifest = await elementManifest(packageFolder);
+  if (manifest === null) return 1;
+  writeFileSync(to("custom-elements.json"), `${JSON.stringify(manifest, null, 2)}\n`);
+  return 0;
+}
+
+function copyScripts() {
+  cpSync(join(dist, "mo-copp-playground.js"), to("element", "mo-copp-playground.js"));
+  mkdirSync(to("element", "assets"));
+  for (const file of readdirSync(join(dist, "assets")).filter((name) => !ofThePage.test(name)))
+    cpSync(join(dist, "assets", file), to("element", "assets", file));
+  cpSync(join(dist, "mo-copp-playground.single.js"), to("single", "index.js"));
+  for (const file of ["mo_copp.js", "mo_copp_bg.wasm"]) cpSync(join(wasmPackage, file), to("core", file));
+  // Only the newest libraries of TypeScript know what a `using` calls.
+  const types = readFileSync(join(wasmPackage, "mo_copp.d.ts"), "utf8");
+  writeFileSync(to("core", "mo_copp.d.ts"), types.replace(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, ""));
+}
+
+/** Packs the package into `folder`; resolves to the exit code. */
+export const pack = (folder) => run("npm", ["pack", "--silent", packageFolder, "--pack-destination", folder]);

@@ -1,0 +1,275 @@
+// The author kits: each page is built by its own tool where that is to be had, and tried in a browser.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { dist, inRoot, nodeModules } from "../../scripts/lib/paths.mjs";
+import { visit } from "../page/support/browser.js";
+import { grid } from "../page/support/documents.js";
+import { addPage, copyOf, python, served } from "./support/site.js";
+
+/** Browsers ask for a picture of the site that no kit has. */
+const kit = { before: (page: Page) => page.route("**/favicon.ico", (route) => route.fulfill({ status: 204 })) };
+
+const ready = (page: Page, more = "", id = "#lab") =>
+  page.waitForSelector(`${id}:is([data-status=optimal], [data-status=solved])${more}`);
+
+test("plain HTML: the page, its prose, and the playground far below", () =>
+  visit(async ({ page }) => {
+    const folder = copyOf("html");
+    addPage(join(folder, "mo-copp"));
+    await page.goto(`${await served(folder)}page.html`);
+    await ready(page, '[data-step="5"]');
+    assert.equal(await page.locator("#later").getAttribute("data-status"), "idle");
+    await page.getByRole("link", { name: "two steps" }).click();
+    await ready(page, '[data-step="2"]');
+    await page.locator("#later").scrollIntoViewIfNeeded();
+    await ready(page, "", "#later");
+  }, kit));
+
+test("pandoc with Quarto's filter: HTML gets the element, LaTeX the picture or the text", () =>
+  visit(async ({ page }) => {
+    const folder = copyOf("quarto");
+    addPage(join(folder, "mo-copp"));
+    const convert = (to: string, ...more: string[]) =>
+      python(
+        [
+          "-c",
+          "import pypandoc, sys; print(pypandoc.convert_file('page.md', sys.argv[1], extra_args=sys.argv[2:]))",
+          to,
+          "--lua-filter",
+          "mo-copp.lua",
+          ...more,
+        ],
+        folder,
+      );
+    const html = convert("html", "--standalone");
+    assert.equal(html.match(/<script type="module"/g)?.length, 1);
+    assert(!html.includes("onclick"));
+    writeFileSync(join(folder, "page.html"), html);
+    await page.goto(`${await served(folder)}page.html`);
+    await ready(page, '[data-gd="1"]');
+    const latex = convert("latex");
+    assert.match(latex, /includegraphics.*corridor\.png/);
+    assert.match(latex, /Two packages from factory A\./);
+    assert(!latex.includes("mo-copp-playground"));
+  }, kit));
+
+test("Quarto's shortcode gives the same element", () => {
+  // Quarto itself is not to be had here: its call is made by pandoc's Lua.
+  const folder = copyOf("quarto");
+  writeFileSync(
+    join(folder, "call.lua"),
+    `FORMAT = "html"
+     quarto = { shortcode = {} }
+     local shortcodes = dofile("mo-copp.lua")
+     local blocks = shortcodes["mo-copp"]({}, { problem = pandoc.Inlines("head-fake"), caption = pandoc.Inlines("A \\"fake\\"") }, {})
+     local text = pandoc.write(pandoc.Pandoc(blocks), "html")
+     function Pandoc() return pandoc.Pandoc({ pandoc.RawBlock("html", text) }) end`,
+  );
+  const call =
+    "import pypandoc; print(pypandoc.convert_text('', 'html', format='markdown', extra_args=['--lua-filter', 'call.lua']))";
+  const html = python(["-c", call], folder);
+  assert.match(
+    html,
+    /<script type="module" src="mo-copp\/mo-copp-playground\.js"><\/script>\s*<mo-copp-playground problem="head-fake">/,
+  );
+  assert.match(html, /<\/mo-copp-playground>/);
+});
+
+test("MkDocs with Material: instant navigation and the switch to dark", () =>
+  visit(
+    async ({ page }) => {
+      const folder = copyOf("mkdocs");
+      addPage(join(folder, "docs", "mo-copp"));
+      python(["-m", "mkdocs", "build", "--quiet", "--site-dir", "site"], folder);
+      const address = await served(join(folder, "site"));
+      await page.goto(address);
+      await page.getByRole("link", { name: "The corridor" }).last().click();
+      await ready(page, '[data-gd="1"]');
+      assert.equal(await page.locator("#lab").getAttribute("data-scheme"), "light");
+      await page.evaluate(() => document.body.setAttribute("data-md-color-scheme", "slate"));
+      await page.waitForSelector("#lab[data-scheme=dark]");
+      const size = await page
+        .locator("#lab .title")
+        .evaluate((part) => Number.parseFloat(getComputedStyle(part).fontSize));
+      assert(size < 18, `${size}`);
+      await page.getByRole("link", { name: "Back" }).click();
+      await page.waitForSelector("#lab", { state: "detached" });
+    },
+    { ...kit, quiet: false },
+  ));
+
+test("Sphinx with the theme of Read the Docs: HTML gets the element, text its words", () =>
+  visit(
+    async ({ page }) => {
+      const folder = copyOf("sphinx");
+      addPage(join(folder, "_static", "mo-copp"));
+      for (const builder of ["html", "text"])
+        python(["-m", "sphinx", "-q", "-b", builder, ".", `_build/${builder}`], folder);
+      await page.goto(`${await served(join(folder, "_build", "html"))}index.html`);
+      await ready(page, '[data-gd="1"]');
+      assert.match(readFileSync(join(folder, "_build", "text", "index.txt"), "utf8"), /one step past the door/);
+    },
+    { ...kit, quiet: false },
+  ));
+
+test("reveal.js: an arrow key turns the slide or the step, and never both", () =>
+  visit(
+    async ({ page }) => {
+      const folder = copyOf("reveal");
+      addPage(join(folder, "mo-copp"));
+      cpSync(join(nodeModules, "reveal.js", "dist"), join(folder, "reveal"), { recursive: true });
+      await page.goto(`${await served(folder)}slides.html`);
+      const slide = () =>
+        page.evaluate(() =>
+          [...document.querySelectorAll(".slides > section")].findIndex((one) => one.classList.contains("present")),
+        );
+      await page.waitForSelector(".reveal.ready");
+      await ready(page, '[data-step="5"]');
+      await page.keyboard.press("ArrowRight");
+      assert.equal(await slide(), 1);
+      assert.equal(await page.locator("#lab").getAttribute("data-step"), "5");
+      await page.locator("#lab").getByRole("button", { name: "Back one step" }).click();
+      await ready(page, '[data-step="4"]');
+      await page.keyboard.press("ArrowLeft");
+      await ready(page, '[data-step="3"]');
+      assert.equal(await slide(), 1);
+    },
+    { ...kit, quiet: false },
+  ));
+
+test("Docusaurus: the component's page, and its switch", () =>
+  visit(async ({ page }) => {
+    const folder = copyOf("docusaurus");
+    addPage(join(folder, "mo-copp"));
+    // Stand-ins for React and Docusaurus, which write what the site's build would.
+    writeFileSync(
+      join(folder, "stand-ins.mjs"),
+      `const escape = (text) => String(text).replaceAll("&", "&amp;").replaceAll('"', "&quot;");
+       export const heads = [];
+       export const createElement = (tag, props, ...children) => {
+         const inner = children.flat().filter((child) => child != null).join("");
+         if (typeof tag === "function") return tag({ ...props, children: inner });
+         const given = Object.entries(props ?? {}).filter(([, value]) => value != null);
+         return "<" + tag + given.map(([name, value]) => " " + name + '="' + escape(value) + '"').join("") + ">" + inner + "</" + tag + ">";
+       };
+       export const Head = ({ children }) => { heads.push(children); return ""; };
+       export const useBaseUrl = (path) => "/site" + path;`,
+    );
+    const component = readFileSync(join(folder, "MoCopp.js"), "utf8")
+      .replace('import Head from "@docusaurus/Head"', 'import { Head } from "./stand-ins.mjs"')
+      .replace('import useBaseUrl from "@docusaurus/useBaseUrl"', 'import { useBaseUrl } from "./stand-ins.mjs"')
+      .replace('from "react"', 'from "./stand-ins.mjs"');
+    writeFileSync(join(folder, "component.mjs"), component);
+    const { default: MoCopp } = await import(join(folder, "component.mjs"));
+    const { heads } = await import(join(folder, "stand-ins.mjs"));
+    const body = MoCopp({ id: "lab", problem: "corridor", hide: "workbench", link: "off" });
+    writeFileSync(
+      join(folder, "page.html"),
+      `<!doctype html><html lang="en" data-theme="dark"><title>Docs</title>${heads.join("")}${body}</html>`,
+    );
+    await page.goto(`${await served(folder)}page.html`);
+    await ready(page, "[data-scheme=dark]");
+    await page.evaluate(() => document.documentElement.setAttribute("data-theme", "light"));
+    await page.waitForSelector("#lab[data-scheme=light]");
+  }, kit));
+
+test("anywidget: Python's side has what is synchronised, and the browser's synchronises it", () =>
+  visit(async ({ page }) => {
+    const folder = copyOf("anywidget");
+    cpSync(join(dist, "mo-copp-playground.single.js"), join(folder, "mo-copp-playground.single.js"));
+    const told = python(
+      [
+        "-c",
+        `import json
+from mo_copp_widget import Playground
+lab = Playground(problem="corridor", hide="workbench")
+lab.step = 2
+state = lab.get_state()
+print(json.dumps({name: state[name] for name in ("problem", "hide", "theme", "solver", "document", "plan", "step", "outcome")} | {"script": len(state["_script"])}))`,
+      ],
+      folder,
+    );
+    const { script, ...state } = JSON.parse(told);
+    assert(script > 1_000_000);
+    assert.equal(state.step, 2);
+    // A stand-in for the notebook's model.
+    writeFileSync(
+      join(folder, "notebook.html"),
+      `<!doctype html><html lang="en"><title>Notebook</title><div id="out"></div><script type="module">
+        import widget from "./mo_copp_widget.js";
+        const values = { ...${JSON.stringify(state)}, _script: await (await fetch("mo-copp-playground.single.js")).text() };
+        const listeners = {};
+        window.model = {
+          values,
+          get: (name) => values[name],
+          set: (name, value) => { values[name] = value; },
+          save_changes: () => {},
+          on: (name, listener) => (listeners[name] ??= []).push(listener),
+          python: (name, value) => { values[name] = value; (listeners["change:" + name] ?? []).forEach((listener) => listener()); },
+        };
+        window.undo = await widget.render({ model: window.model, el: document.querySelector("#out") });
+      </script></html>`,
+    );
+    await page.goto(`${await served(folder)}notebook.html`);
+    await ready(page, '[data-step="2"]', "mo-copp-playground");
+    const values = () => page.evaluate("window.model.values") as Promise<Record<string, unknown>>;
+    await page.waitForFunction("window.model.values.outcome !== null && window.model.values.plan.length === 5");
+    assert.equal((await values()).step, 2);
+    await page.evaluate("window.model.python('step', 4)");
+    await ready(page, '[data-step="4"]', "mo-copp-playground");
+    await page.evaluate(`window.model.python("document", ${grid({ width: 6 })})`);
+    await page.locator('mo-copp-playground [data-board=actor] [data-cell="5,0"]').waitFor({ state: "attached" });
+    await page.waitForFunction(
+      "window.model.values.document.width === 6 && window.model.values.document.format === 'gridworld'",
+    );
+    await page.evaluate("window.undo()");
+    assert.equal(await page.locator("mo-copp-playground").count(), 0);
+  }, kit));
+
+test("SCORM 1.2: the package, its score and what it keeps", () =>
+  visit(
+    async ({ page }) => {
+      const folder = copyOf("scorm");
+      const zip = join(folder, "course.zip");
+      const built = spawnSync(process.execPath, [inRoot("kits", "scorm", "build.mjs"), zip], { encoding: "utf8" });
+      assert.equal(built.status, 0, built.stderr);
+      mkdirSync(join(folder, "course"));
+      python(["-m", "zipfile", "-e", zip, join(folder, "course")], folder);
+      const manifest = readFileSync(join(folder, "course", "imsmanifest.xml"), "utf8");
+      for (const [, file = ""] of manifest.matchAll(/<file href="([^"]+)"/g))
+        readFileSync(join(folder, "course", file));
+      // A stand-in for the course system.
+      writeFileSync(
+        join(folder, "course", "system.html"),
+        `<!doctype html><html lang="en"><title>Course</title><script>
+          window.kept = JSON.parse(sessionStorage.kept ?? "{}");
+          const API = {
+            LMSInitialize: () => "true",
+            LMSGetValue: (name) => window.kept[name] ?? "",
+            LMSSetValue: (name, value) => { window.kept[name] = value; return "true"; },
+            LMSCommit: () => { sessionStorage.kept = JSON.stringify(window.kept); return "true"; },
+            LMSFinish: () => { sessionStorage.kept = JSON.stringify(window.kept); return "true"; },
+          };
+        </script><script>window.API = API;</script><iframe src="playground.html" title="Course" width="1200" height="900"></iframe></html>`,
+      );
+      await page.goto(`${await served(join(folder, "course"))}system.html`);
+      const lab = page.frameLocator("iframe").locator("mo-copp-playground");
+      await page.frameLocator("iframe").locator('mo-copp-playground[data-status="optimal"]').waitFor();
+      await lab.getByRole("tab", { name: "Play" }).click();
+      await lab.getByRole("button", { name: "Take over" }).click();
+      // The plan that the solver found, walked by hand.
+      for (const key of ["ArrowRight", "ArrowRight", "ArrowRight", "ArrowLeft", "ArrowUp"]) {
+        await lab.locator(".walkable").press(key);
+      }
+      await page.waitForFunction('window.kept["cmi.core.score.raw"] === "100"');
+      assert.equal(await page.evaluate('window.kept["cmi.core.lesson_status"]'), "passed");
+      await page.waitForFunction('(window.kept["cmi.suspend_data"] ?? "").includes(\'"mode":"walk"\')');
+      await page.reload();
+      await page.frameLocator("iframe").locator('mo-copp-playground[data-step="5"]').waitFor();
+    },
+    { ...kit, quiet: false },
+  ));

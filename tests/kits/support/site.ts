@@ -1,0 +1,38 @@
+// Pages of the author kits, built into a folder of their own and served with the built page beside them.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { cpSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after } from "node:test";
+import { childEnvironment } from "../../../scripts/lib/environment.mjs";
+import { dist, inRoot } from "../../../scripts/lib/paths.mjs";
+import { serve } from "../../../scripts/lib/static-server.mjs";
+import { venvPython } from "../../../scripts/setup/python-packages.mjs";
+
+/** A copy of a kit's folder, gone after the tests. */
+export function copyOf(kit: string): string {
+  const folder = mkdtempSync(join(tmpdir(), `mo-copp-${kit}-`));
+  after(() => rmSync(folder, { recursive: true, force: true }));
+  cpSync(inRoot("kits", kit), folder, { recursive: true });
+  return folder;
+}
+
+/** Puts the built page into a folder of the kit, as its README says. */
+export const addPage = (folder: string) => cpSync(dist, folder, { recursive: true });
+
+export async function served(folder: string): Promise<string> {
+  const { server, address } = await serve(folder, { base: "/site/" });
+  after(() => {
+    server.close();
+    server.closeAllConnections();
+  });
+  return address;
+}
+
+/** Runs a program of the project's Python environment; what it printed comes back. */
+export function python(args: string[], cwd: string, input = ""): string {
+  const run = spawnSync(venvPython, args, { cwd, env: childEnvironment(), encoding: "utf8", timeout: 240_000, input });
+  assert.equal(run.status, 0, run.stdout + run.stderr);
+  return run.stdout;
+}

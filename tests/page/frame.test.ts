@@ -1,0 +1,95 @@
+// What a frame and the page around it say to each other.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { visit } from "./support/browser.js";
+import { grid } from "./support/documents.js";
+import { address } from "./support/site.js";
+
+interface Message {
+  type?: string;
+  subject?: string;
+  event?: string;
+  version?: number;
+  height?: number;
+  score?: number | null;
+  state?: { document: string; step: number };
+  detail?: { step?: number; status?: string };
+}
+
+async function around(page: Page): Promise<void> {
+  await page.route(`${address}lesson/frame.html`, (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: `<!doctype html><html lang="en"><title>Around</title>
+        <script>window.heard = []; addEventListener("message", ({ data }) => window.heard.push(data));</script>
+        <iframe src="../index.html?problem=corridor&amp;hide=intro,footer,workbench" title="Frame" width="900" height="300"></iframe>`,
+    }),
+  );
+  await page.goto(`${address}lesson/frame.html`);
+}
+
+const heard = (page: Page) => page.evaluate(() => (window as unknown as { heard: Message[] }).heard);
+const says = (page: Page, wanted: Partial<Message>) =>
+  page.waitForFunction(
+    (wanted) =>
+      (window as unknown as { heard: Message[] }).heard.some((message) =>
+        Object.entries(wanted).every(([name, value]) => message[name as keyof Message] === value),
+      ),
+    wanted,
+  );
+const say = (page: Page, message: unknown) =>
+  page.evaluate((message) => document.querySelector("iframe")?.contentWindow?.postMessage(message, "*"), message);
+const ours = { type: "mo-copp", version: 1 };
+
+test("a frame tells its height, steps, outcomes and state, and takes steps, themes, documents and states", () =>
+  visit(async ({ page }) => {
+    await around(page);
+    const frame = page.frameLocator("iframe").locator("mo-copp-playground");
+    await says(page, { ...ours, event: "ready" });
+    await says(page, { ...ours, event: "outcome" });
+    await says(page, { subject: "lti.frameResize" });
+    await says(page, { subject: "SPLICE.getState" });
+    await says(page, { ...ours, event: "state" });
+    const told = await heard(page);
+    const height = told.filter(({ subject }) => subject === "lti.frameResize").at(-1)?.height ?? 0;
+    assert(height > 300 && height < 3000, `${height}`);
+    await say(page, { ...ours, command: "step", step: 2 });
+    await frame.and(page.frameLocator("iframe").locator('[data-step="2"]')).waitFor();
+    await say(page, { ...ours, command: "theme", theme: "dark" });
+    await page.frameLocator("iframe").locator('body[data-scheme="dark"]').waitFor();
+    const kept = (await heard(page)).filter(({ event }) => event === "state").at(-1)?.state;
+    await say(page, { ...ours, command: "document", document: JSON.parse(grid({ width: 6 })) });
+    await page.frameLocator("iframe").locator('[data-board=actor] [data-cell="5,0"]').waitFor({ state: "attached" });
+    await say(page, { subject: "SPLICE.getState.response", state: kept });
+    await page.frameLocator("iframe").locator(".title", { hasText: "One step too far" }).waitFor();
+  }));
+
+test("what has another shape, another version or another sender is ignored", () =>
+  visit(async ({ page }) => {
+    await around(page);
+    const frame = page.frameLocator("iframe");
+    await frame.locator('mo-copp-playground[data-status="optimal"][data-step="5"]').waitFor();
+    for (const message of [
+      "step",
+      null,
+      [1, 2],
+      { ...ours, version: 2, command: "step", step: 1 },
+      { ...ours, command: "step", step: -1 },
+      { ...ours, command: "step", step: "1" },
+      { ...ours, command: "theme", theme: "url(x)" },
+      { ...ours, command: "document", document: 3 },
+      { ...ours, command: "document", document: "x".repeat(2_000_001) },
+      { ...ours, command: "run", code: "alert(1)" },
+      { subject: "SPLICE.getState.response", state: "text" },
+    ])
+      await say(page, message);
+    // From the frame itself, and not from the page around it.
+    await frame.locator("body").evaluate(() => {
+      window.postMessage({ type: "mo-copp", version: 1, command: "step", step: 1 }, "*");
+      return new Promise((done) => setTimeout(done, 300));
+    });
+    assert.equal(await frame.locator("mo-copp-playground").getAttribute("data-step"), "5");
+    assert.equal(await frame.locator("mo-copp-playground").getAttribute("data-status"), "optimal");
+    assert.equal(await frame.locator("body").getAttribute("data-scheme"), null);
+  }));

@@ -1,0 +1,112 @@
+// The npm package: what it holds, what its tools say of it, and what a program gets from it.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { childEnvironment } from "../../scripts/lib/environment.mjs";
+import { root } from "../../scripts/lib/paths.mjs";
+import { buildPackage, packageFolder } from "../../scripts/release/package.mjs";
+import { followed } from "../../www/src/element/attributes.js";
+import { grid } from "./support/documents.js";
+
+const run = (command: string, args: string[], cwd: string) =>
+  spawnSync(command, args, { cwd, env: childEnvironment(), encoding: "utf8", timeout: 120_000 });
+
+const folder = mkdtempSync(join(tmpdir(), "mo-copp-package-"));
+before(async () => {
+  assert.equal(await buildPackage(), 0);
+  mkdirSync(join(folder, "node_modules"));
+  symlinkSync(packageFolder, join(folder, "node_modules", "mo-copp"));
+});
+after(() => rmSync(folder, { recursive: true }));
+
+/** Runs a module that uses the package, and gives what it printed. */
+function program(text: string): string {
+  writeFileSync(join(folder, "program.mjs"), text);
+  const { status, stdout, stderr } = run(process.execPath, ["program.mjs"], folder);
+  assert.equal(status, 0, stderr);
+  assert.equal(stderr, "");
+  return stdout.trim();
+}
+
+test("publint and attw find nothing wrong", () => {
+  const lint = run("publint", [packageFolder, "--strict"], root);
+  assert.equal(lint.status, 0, lint.stdout + lint.stderr);
+  const types = run("attw", ["--pack", packageFolder, "--profile", "esm-only"], root);
+  assert.equal(types.status, 0, types.stdout + types.stderr);
+});
+
+test("where there is no document, the element's modules do nothing, and the program ends", () => {
+  const names = program(`
+    import * as element from "mo-copp";
+    import "mo-copp/single";
+    console.log(Object.keys(element).join(" "));`);
+  assert.equal(names, "MoCoppPlayground inside");
+});
+
+test("the solver solves in Node, and names what is wrong", () => {
+  const told = program(`
+    import { load, Problem, solve } from "mo-copp/core";
+    await load();
+    const outcome = await solve(${grid()});
+    const refused = await solve({ format: "chess" }).catch((error) => error.message);
+    const steps = new Problem(${JSON.stringify(grid())}).trace(outcome.plan).steps.length;
+    console.log(JSON.stringify({ status: outcome.status, steps, moves: outcome.plan.length, refused }));`);
+  const { status, steps, moves, refused } = JSON.parse(told);
+  assert.equal(status, "optimal");
+  assert.equal(steps, moves + 1);
+  assert.match(refused, /found "chess", expected gridworld/);
+});
+
+test("its types fit, and are those that the element has", () => {
+  writeFileSync(
+    join(folder, "use.ts"),
+    `import { inside, MoCoppPlayground } from "mo-copp";
+     import { solve, type Outcome } from "mo-copp/core";
+     import "mo-copp/single";
+     const element = document.querySelector("mo-copp-playground");
+     if (element instanceof MoCoppPlayground) {
+       element.document = { format: "gridworld" };
+       element.state = element.state;
+       void element.goTo(2).then(() => element.ready);
+       inside(element).querySelector("[data-goal]");
+       void element.solve({ solver: "search", k: 2 }).then(({ plan }) => plan?.length);
+     }
+     export const outcome: Promise<Outcome> = solve("{}");`,
+  );
+  const options = [
+    "--noEmit",
+    "--strict",
+    "--module",
+    "nodenext",
+    "--target",
+    "es2022",
+    "--lib",
+    "es2022,dom",
+    "--types",
+    "",
+  ];
+  const { status, stdout } = run("tsc", [...options, "use.ts"], folder);
+  assert.equal(status, 0, stdout);
+});
+
+test("the manifest lists what the element follows, offers and tells, and licences of all that is bundled are there", () => {
+  const { modules } = JSON.parse(readFileSync(join(packageFolder, "custom-elements.json"), "utf8"));
+  const [element] = modules[0].declarations;
+  const names = (list: { name: string }[]) => list.map(({ name }) => name);
+  assert.equal(element.tagName, "mo-copp-playground");
+  for (const name of [...followed, "loading", "worker-url", "wasm-url"])
+    assert(names(element.attributes).includes(name), name);
+  for (const name of ["document", "state", "goTo", "solve", "ready"])
+    assert(names(element.members).includes(name), name);
+  assert.deepEqual(names(element.events), ["mo-copp-step", "mo-copp-outcome", "mo-copp-score"]);
+  const guide = readFileSync(new URL("../../docs/embedding.md", import.meta.url), "utf8");
+  for (const { name } of [...element.cssParts, ...element.cssProperties]) assert(guide.includes(`\`${name}\``), name);
+  const bundled = readFileSync(join(packageFolder, "THIRD-PARTY.txt"), "utf8");
+  for (const name of ["lit-html", "@codemirror/view", "@preact/signals-core", "serde_json", "microlp", "wasm-bindgen"])
+    assert(bundled.includes(`\n${name} `), name);
+  for (const name of ["LICENSE-MIT", "LICENSE-APACHE", "README.md"])
+    assert(existsSync(join(packageFolder, name)), name);
+});
