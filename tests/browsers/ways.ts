@@ -12,7 +12,9 @@ const SOLVED = "[data-status=optimal][data-gd]";
 const element = `<mo-copp-playground id="one" link="off"><script type="application/json">${grid()}</script></mo-copp-playground>`;
 const page = (body: string) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>Way</title>${body}</html>`;
 const script = (address: string) =>
-  address.includes("single") ? `<script src="${address}"></script>` : `<script type="module" src="${address}"></script>`;
+  address.includes("single")
+    ? `<script src="${address}"></script>`
+    : `<script type="module" src="${address}"></script>`;
 
 export async function ways(driver: Driver): Promise<void> {
   const home = await startHost();
@@ -49,8 +51,14 @@ export async function ways(driver: Driver): Promise<void> {
     ["a sandboxed frame, from another host", "mo-copp-playground.js"],
     ["a sandboxed frame, one file", "mo-copp-playground.single.js"],
   ] as const) {
-    const inner = page(tell + from(other, file) + element).replaceAll("&", "&amp;").replaceAll('"', "&quot;");
-    await opened(name, `${listen}<iframe sandbox="allow-scripts" srcdoc="${inner}"></iframe>`, `window.told === "optimal"`);
+    const inner = page(tell + from(other, file) + element)
+      .replaceAll("&", "&amp;")
+      .replaceAll('"', "&quot;");
+    await opened(
+      name,
+      `${listen}<iframe sandbox="allow-scripts" srcdoc="${inner}"></iframe>`,
+      `window.told === "optimal"`,
+    );
   }
   await fromDisk(driver);
 }
