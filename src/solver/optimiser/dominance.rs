@@ -22,7 +22,7 @@ use rustc_hash::FxHashMap;
 
 use super::search::Met;
 use super::space::Space;
-use super::thresholds::NODES_COMPARED;
+use crate::belief::BeliefId;
 use crate::problem::{Problem, ProfileId, Role};
 use crate::solver::Bounds;
 use crate::task::StateId;
@@ -77,6 +77,15 @@ pub(super) enum Policy {
     Careless,
 }
 
+/// How far nodes are compared. What is not compared is kept: more nodes than need be, never fewer.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    /// Nodes compared with a new one, the latest first, at most.
+    pub nodes: usize,
+    /// States of the smaller belief, at most.
+    pub states: usize,
+}
+
 /// Nodes that none met so far dominates, by actor component.
 #[derive(Debug)]
 pub(super) struct Antichain {
@@ -84,6 +93,10 @@ pub(super) struct Antichain {
     steps: Steps,
     fronts: FxHashMap<(u32, u32), Vec<u32>>,
     len: usize,
+    effort: Effort,
+    /// By observer and belief: the remainders by 64 of its states' numbers, a bit each. A subset has
+    /// no other bits, which mostly saves looking at the states.
+    signatures: Vec<Vec<u64>>,
 }
 
 /// Whether all of the first are among the second. Both are sorted.
@@ -103,6 +116,7 @@ impl Antichain {
         problem: &Problem,
         bounds: &Bounds,
         steps: Steps,
+        effort: Effort,
     ) -> Option<Self> {
         let (relations, steps) = match policy {
             Policy::Sound => (relations(problem, bounds), steps),
@@ -111,7 +125,22 @@ impl Antichain {
             #[cfg(test)]
             Policy::Careless => (relations(problem, &Bounds::default()), Steps::Any),
         };
-        Some(Self { relations, steps, fronts: FxHashMap::default(), len: 0 })
+        let signatures = vec![Vec::new(); problem.observers().len()];
+        Some(Self { relations, steps, fronts: FxHashMap::default(), len: 0, effort, signatures })
+    }
+
+    /// Makes sure that the signatures of a profile's beliefs are known.
+    fn sign(&mut self, space: &Space, profile: ProfileId) {
+        for (observer, signatures) in self.signatures.iter_mut().enumerate() {
+            let belief = space.joint.belief(profile, observer);
+            if signatures.get(belief.index()).is_none_or(|signature| *signature == 0) {
+                let members = space.joint.beliefs(observer).members(belief);
+                let signature =
+                    members.iter().fold(0, |bits, state| bits | 1 << (state.index() % 64));
+                signatures.resize(signatures.len().max(belief.index() + 1), 0);
+                signatures[belief.index()] = signature;
+            }
+        }
     }
 
     /// Whether the first of two profiles is at least as good.
@@ -120,13 +149,17 @@ impl Antichain {
             || self.relations.iter().enumerate().all(|(observer, relation)| {
                 let (a, b) =
                     (space.joint.belief(one, observer), space.joint.belief(other, observer));
+                let (less, more) = match relation {
+                    _ if a == b => return true,
+                    Relation::Superset => (b, a),
+                    Relation::Subset => (a, b),
+                    Relation::Equal => return false,
+                };
+                let signature = |belief: BeliefId| self.signatures[observer][belief.index()];
                 let members = |belief| space.joint.beliefs(observer).members(belief);
-                a == b
-                    || match relation {
-                        Relation::Superset => is_subset(members(b), members(a)),
-                        Relation::Subset => is_subset(members(a), members(b)),
-                        Relation::Equal => false,
-                    }
+                signature(less) & !signature(more) == 0
+                    && members(less).len() <= self.effort.states
+                    && is_subset(members(less), members(more))
             })
     }
 
@@ -142,8 +175,9 @@ impl Antichain {
     /// Takes a node in, unless it is dominated; marks those that it dominates. True when it is in.
     pub(super) fn admit(&mut self, space: &Space, met: &mut [Met], new: &Met, number: u32) -> bool {
         let key = (new.node.actor, if self.steps == Steps::Equal { new.steps } else { 0 });
+        self.sign(space, new.node.profile);
         let mut front = self.fronts.remove(&key).unwrap_or_default();
-        let compared = front.len().saturating_sub(NODES_COMPARED);
+        let compared = front.len().saturating_sub(self.effort.nodes);
         let dominated = front[compared..].iter().rev().any(|&known| {
             let known = &met[known as usize];
             self.may(known.steps, new.steps)
@@ -171,6 +205,7 @@ impl Antichain {
 
     /// Bytes in use, counted by contents.
     pub(super) fn bytes(&self) -> u64 {
-        (4 * self.len + 40 * self.fronts.len()) as u64
+        let signatures: usize = self.signatures.iter().map(Vec::len).sum();
+        (4 * self.len + 40 * self.fronts.len() + 8 * signatures) as u64
     }
 }

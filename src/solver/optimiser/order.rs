@@ -28,10 +28,11 @@ pub(super) fn promise(space: &mut Space, actor: Actor, met: &Met, most: i64) -> 
         let others = row.iter().enumerate().filter(|(goal, _)| *goal != true_goal);
         match watched.role {
             Role::Adversarial => {
-                let mut distances: Vec<u8> = others.map(|(_, distance)| *distance).collect();
-                distances.sort_unstable();
-                let nearest = distances.iter().take(wanted).map(|d| u32::from(*d));
-                ahead = ahead.max(nearest.sum());
+                let mut counts = [0_u32; 256];
+                for (_, distance) in others {
+                    counts[usize::from(*distance)] += 1;
+                }
+                ahead = ahead.max(sum_of_least(&counts, wanted as u32));
             }
             Role::Cooperative => {
                 let near = others.filter(|(_, distance)| **distance <= row[true_goal]);
@@ -41,4 +42,18 @@ pub(super) fn promise(space: &mut Space, actor: Actor, met: &Met, most: i64) -> 
     }
     let missing = (WEIGHT_OF_VALUE * (most - met.merit).max(0)) as u32;
     Some(met.since + missing + distance + ahead / 2 + WEIGHT_OF_THREAT * threats)
+}
+
+/// The sum of the `wanted` smallest of some distances, each counted.
+fn sum_of_least(counts: &[u32; 256], mut wanted: u32) -> u32 {
+    let mut sum = 0;
+    for (distance, count) in counts.iter().enumerate() {
+        let taken = wanted.min(*count);
+        sum += taken * distance as u32;
+        wanted -= taken;
+        if wanted == 0 {
+            break;
+        }
+    }
+    sum
 }

@@ -10,6 +10,7 @@ use super::estimates::Estimates;
 use super::order;
 use super::queue::{BucketQueue, Ties};
 use super::space::{Actor, Node, Space};
+use super::thresholds::{EFFORT_TO_FIND, EFFORT_TO_PROVE};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::SurvivorCounts;
@@ -92,7 +93,12 @@ impl Search {
             (None, Order::Length) => Steps::NoMore,
             (None, _) => Steps::Any,
         };
-        let antichain = Antichain::new(way.dominance, space.problem(), &space.bounds, steps);
+        let effort = match way.order {
+            Order::Promise => EFFORT_TO_FIND,
+            Order::Length | Order::Depth => EFFORT_TO_PROVE,
+        };
+        let (problem, bounds) = (space.problem(), &space.bounds);
+        let antichain = Antichain::new(way.dominance, problem, bounds, steps, effort);
         Self {
             way,
             aim,

@@ -1,14 +1,16 @@
 //! Every threshold of the optimiser: unit, reason, effect. None changes what is proved; they decide
 //! what is tried first and when something dearer is worth a try.
 
+use super::dominance::Effort;
+
 /// Expansions between two looks at the memory. An expansion of a large belief can take megabytes.
 pub(super) const EXPANSIONS_BETWEEN_CHECKS: u64 = 16;
 
 /// Expansions of the first search after which classes are asked for, where there are few states:
 /// most small problems are solved before.
 pub(super) const EXPANSIONS_BEFORE_CLASSES: u64 = 64;
-/// States listed for classes then: about a millisecond.
-pub(super) const STATES_OF_A_SMALL_SPACE: usize = 1_500;
+/// States listed for classes then: some milliseconds.
+pub(super) const STATES_OF_A_SMALL_SPACE: usize = 5_000;
 /// Expansions after which tables of pairs are made, which cost as much as some hundred expansions.
 pub(super) const EXPANSIONS_BEFORE_PAIRS: u64 = 256;
 /// Expansions after which the linear invariants are worked out: some milliseconds.
@@ -18,8 +20,9 @@ pub(super) const EXPANSIONS_BEFORE_ALL_CLASSES: u64 = 4_096;
 /// States listed for classes at all: about a second.
 pub(super) const STATES_OF_CLASSES: usize = 60_000;
 
-/// States above which there are too many pairs: 4,096² bits are 2 MiB, one matrix.
-pub(super) const STATES_OF_PAIRS: usize = 4_096;
+/// States above which there are too many pairs: 3,000² bits are 1.1 MiB, one matrix, and a level of a
+/// table takes about two milliseconds.
+pub(super) const STATES_OF_PAIRS: usize = 3_000;
 /// Bytes that all tables of pairs may take together; also no more than a third of the memory limit.
 pub(super) const BYTES_OF_PAIRS: u64 = 96 << 20;
 /// Words of bit matrices gone through for a level of a table, at most: some milliseconds.
@@ -34,12 +37,15 @@ pub(super) const EXPANSIONS_BEFORE_PAIRS_SHORTEN: u64 = 256;
 /// a tenth of a second. Above, the length of the plan stays unproved, and the outcome says so.
 pub(super) const WORK_TO_SHORTEN: u64 = 400_000;
 
-/// Nodes compared with a new one for dominance, the latest first, at most. What is not compared is
-/// kept: more nodes than need be, never fewer.
-pub(super) const NODES_COMPARED: usize = 256;
+/// How far nodes are compared for dominance in the first search, whose nodes differ more than a
+/// comparison would save.
+pub(super) const EFFORT_TO_FIND: Effort = Effort { nodes: 12, states: 32 };
+/// The same where tables over pairs have trimmed the beliefs, or a shortest plan is looked for.
+pub(super) const EFFORT_TO_PROVE: Effort = Effort { nodes: 256, states: usize::MAX };
 
-/// Rounds of refinement of blocks, at most; blocks left too coarse are not used.
-pub(super) const ROUNDS_OF_BLOCKS: usize = 64;
+/// Transitions gone through in refining blocks, at most: about a hundredth of a second. Blocks left
+/// too coarse are not used.
+pub(super) const TRANSITIONS_OF_BLOCKS: usize = 500_000;
 
 /// Multiplications of an elimination for invariants, at most: about a tenth of a second.
 pub(super) const WORK_OF_ELIMINATION: u64 = 20_000_000;

@@ -22,7 +22,7 @@ use crate::goal_difference::GoalSet;
 use crate::limits::LimitReached;
 use crate::problem::Role;
 use crate::solver::optimiser::space::Space;
-use crate::solver::optimiser::thresholds::ROUNDS_OF_BLOCKS;
+use crate::solver::optimiser::thresholds::TRANSITIONS_OF_BLOCKS;
 use crate::task::StateId;
 
 /// The bound.
@@ -86,7 +86,7 @@ impl Partition {
 }
 
 /// The observable class of each state, as the number of one of its states.
-fn observable_classes(states: usize, seen: &[Seen], believed: &[StateId]) -> Vec<u32> {
+pub(super) fn observable_classes(states: usize, seen: &[Seen], believed: &[StateId]) -> Vec<u32> {
     let mut partition = Partition {
         above: (0..states as u32).collect(),
         next: FxHashMap::default(),
@@ -112,7 +112,7 @@ fn believed_blocks(states: usize, seen: &[Seen], believed: &[StateId]) -> Option
         into[transition.to as usize].push((transition.symbol, transition.from));
     }
     let mut count = 0;
-    for _ in 0..ROUNDS_OF_BLOCKS {
+    for _ in 0..TRANSITIONS_OF_BLOCKS / seen.len().max(1) {
         let mut numbers: FxHashMap<(u32, Vec<(u32, u32)>), u32> = FxHashMap::default();
         let mut next = Vec::with_capacity(states);
         for (state, sources) in into.iter().enumerate() {

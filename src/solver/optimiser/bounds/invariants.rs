@@ -20,6 +20,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::elimination::{Sum, Vector, Weights, combine, plus};
 use super::{Bound, Most};
 use crate::limits::LimitReached;
 use crate::problem::{Problem, Role};
@@ -29,74 +30,13 @@ use crate::solver::ground::transition_graphs::{Change, TransitionGraphs, changes
 use crate::solver::optimiser::space::Space;
 use crate::solver::optimiser::thresholds::{
     BELIEVED_OF_INVARIANTS, CONTEXTS_OF_INVARIANTS, FACTS_OF_INVARIANTS, OPERATORS_OF_INVARIANTS,
-    SUMS_OF_INVARIANTS, WORK_OF_ELIMINATION,
+    SUMS_OF_INVARIANTS,
 };
 use crate::task::{Fact, OperatorId, State, Task};
 
-/// A Mersenne prime.
-const PRIME: u64 = (1 << 61) - 1;
 /// The bound.
 #[derive(Debug)]
 pub(in crate::solver::optimiser) struct Invariants;
-
-fn multiply(a: u64, b: u64) -> u64 {
-    (u128::from(a) * u128::from(b) % u128::from(PRIME)) as u64
-}
-
-fn add(a: u64, b: u64) -> u64 {
-    let sum = a + b;
-    if sum >= PRIME { sum - PRIME } else { sum }
-}
-
-fn negate(a: u64) -> u64 {
-    if a == 0 { 0 } else { PRIME - a }
-}
-
-fn inverse(a: u64) -> u64 {
-    let (mut result, mut base, mut exponent) = (1, a, PRIME - 2);
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            result = multiply(result, base);
-        }
-        base = multiply(base, base);
-        exponent >>= 1;
-    }
-    result
-}
-
-/// The numbers of splitmix64: the same everywhere.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ z >> 31
-    }
-}
-
-/// A change of a state as a sparse vector over facts, sorted by fact.
-type Vector = Vec<(usize, i32)>;
-
-/// The sum of vectors, each times a sign.
-fn combine(parts: &[(&Vector, i32)]) -> Vector {
-    let mut all: Vector = Vec::new();
-    for (vector, sign) in parts {
-        all.extend(vector.iter().map(|&(fact, amount)| (fact, sign * amount)));
-    }
-    all.sort_unstable();
-    let mut sum: Vector = Vec::new();
-    for (fact, amount) in all {
-        match sum.last_mut() {
-            Some((last, total)) if *last == fact => *total += amount,
-            _ => sum.push((fact, amount)),
-        }
-    }
-    sum.retain(|(_, amount)| *amount != 0);
-    sum
-}
 
 /// What an operator changes: one vector it may come to, and differences from it to all others.
 struct Effect {
@@ -105,104 +45,6 @@ struct Effect {
     asks: Vec<(usize, usize)>,
     base: Vector,
     differences: Vec<Vector>,
-}
-
-/// Weights of the facts: over the prime field, and 64 times over GF(2).
-#[derive(Debug)]
-struct Weights {
-    prime: Vec<u64>,
-    bits: Vec<u64>,
-}
-
-/// The sums of a state under one set of weights.
-type Sum = (u64, u64);
-
-fn plus(a: Sum, b: Sum) -> Sum {
-    (add(a.0, b.0), a.1 ^ b.1)
-}
-
-impl Weights {
-    /// Weights that each of these vectors sums up to 0 under; none where that takes too long.
-    fn orthogonal_to(vectors: &FxHashSet<Vector>, facts: usize) -> Option<Self> {
-        let mut ordered: Vec<&Vector> = vectors.iter().collect();
-        ordered.sort_unstable();
-        let mut random = Random(facts as u64);
-        let prime = solve_prime(&ordered, facts, &mut random)?;
-        let bits = solve_bits(&ordered, facts, &mut random);
-        Some(Self { prime, bits })
-    }
-
-    fn of(&self, fact: usize) -> Sum {
-        (self.prime[fact], self.bits[fact])
-    }
-}
-
-/// A random solution over the prime field.
-fn solve_prime(vectors: &[&Vector], facts: usize, random: &mut Random) -> Option<Vec<u64>> {
-    let mut rows: Vec<(usize, Vec<u64>)> = Vec::new();
-    let mut work = 0;
-    for vector in vectors {
-        let mut dense = vec![0; facts];
-        for &(fact, amount) in *vector {
-            let size = u64::from(amount.unsigned_abs());
-            dense[fact] = if amount < 0 { negate(size) } else { size };
-        }
-        for (pivot, row) in &rows {
-            let factor = negate(dense[*pivot]);
-            if factor != 0 {
-                work += facts as u64;
-                for (value, more) in dense.iter_mut().zip(row) {
-                    if *more != 0 {
-                        *value = add(*value, multiply(factor, *more));
-                    }
-                }
-            }
-        }
-        if work > WORK_OF_ELIMINATION {
-            return None;
-        }
-        if let Some(pivot) = dense.iter().position(|value| *value != 0) {
-            let factor = inverse(dense[pivot]);
-            for value in &mut dense {
-                *value = multiply(factor, *value);
-            }
-            rows.push((pivot, dense));
-        }
-    }
-    let mut weights: Vec<u64> = (0..facts).map(|_| random.next() % PRIME).collect();
-    // A row is 0 at the pivots of the rows before it, so the last one is solved first.
-    for (pivot, row) in rows.iter().rev() {
-        let others = row.iter().zip(&weights).enumerate().filter(|(fact, _)| fact != pivot);
-        let sum = others.fold(0, |sum, (_, (value, weight))| add(sum, multiply(*value, *weight)));
-        weights[*pivot] = negate(sum);
-    }
-    Some(weights)
-}
-
-/// 64 random solutions over GF(2), a bit for each.
-fn solve_bits(vectors: &[&Vector], facts: usize, random: &mut Random) -> Vec<u64> {
-    let mut rows: Vec<(usize, Vec<u64>)> = Vec::new();
-    for vector in vectors {
-        let mut dense = vec![0_u64; facts.div_ceil(64)];
-        for &(fact, amount) in *vector {
-            dense[fact / 64] ^= u64::from(amount % 2 != 0) << (fact % 64);
-        }
-        for (pivot, row) in &rows {
-            if dense[pivot / 64] >> (pivot % 64) & 1 == 1 {
-                dense.iter_mut().zip(row).for_each(|(word, other)| *word ^= other);
-            }
-        }
-        if let Some(place) = dense.iter().position(|word| *word != 0) {
-            rows.push((place * 64 + dense[place].trailing_zeros() as usize, dense));
-        }
-    }
-    let mut weights: Vec<u64> = (0..facts).map(|_| random.next()).collect();
-    for (pivot, row) in rows.iter().rev() {
-        let others =
-            (0..facts).filter(|fact| fact != pivot && row[fact / 64] >> (fact % 64) & 1 == 1);
-        weights[*pivot] = others.fold(0, |sum, fact| sum ^ weights[fact]);
-    }
-    weights
 }
 
 /// A problem as invariants see it.

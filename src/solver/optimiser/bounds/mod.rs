@@ -12,9 +12,11 @@
 //! | [`pairs`] | what pairs of states, looked at alone, leave possible | tables over pairs of states |
 
 pub(super) mod classes;
+mod elimination;
 pub(super) mod invariants;
 pub(super) mod listing;
 mod matrix;
+mod pair_tables;
 pub(super) mod pairs;
 pub(super) mod trivial;
 
