@@ -193,7 +193,7 @@ test("axe finds no barrier in the table, dark", () =>
     async ({ page }) => {
       await statusIs(page, "optimal");
       await openTab(page, "Steps");
-      await press(page, "Back one step");
+      await press(page, "Forward one step");
       const { violations } = await new AxeBuilder({ page }).analyze();
       assert.deepEqual(
         violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]),
