@@ -84,3 +84,10 @@ pub mod trace;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// What tests inside share with those in `tests/`.
+#[cfg(test)]
+#[path = "../tests/common/mod.rs"]
+#[allow(dead_code, unused_imports, unreachable_pub, missing_docs, missing_debug_implementations)]
+#[allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+mod common;

@@ -74,6 +74,17 @@ impl Sensor {
         same.then_some(reading.otherwise)
     }
 
+    /// The cases over facts of the resulting state that a sensor looks at, the first that fits counts.
+    pub(crate) fn cases(&self, operator: OperatorId) -> impl Iterator<Item = (&[Fact], Symbol)> {
+        let cases = &self.readings[operator.index()].cases;
+        cases.iter().map(|(facts, symbol)| (&**facts, *symbol))
+    }
+
+    /// The symbol where no case fits.
+    pub(crate) fn otherwise(&self, operator: OperatorId) -> Symbol {
+        self.readings[operator.index()].otherwise
+    }
+
     /// The symbol for an operator that has resulted in the packed state `after`.
     pub fn read(&self, task: &Task, operator: OperatorId, after: &[u64]) -> Symbol {
         let reading = &self.readings[operator.index()];

@@ -6,10 +6,12 @@
 //! doi:10.1147/rd.32.0114), and the part of it that a problem reaches is small. So beliefs are
 //! interned in a [`BeliefSpace`] and each (belief, symbol) is worked out once, for every solver.
 
+pub mod diagram;
 mod space;
 mod subsets;
 mod transition_table;
 
+pub use diagram::StateCount;
 pub use space::{BeliefId, BeliefSpace};
 pub use subsets::{Subsets, Successor};
 pub use transition_table::TransitionTable;

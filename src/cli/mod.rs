@@ -57,7 +57,9 @@ pub fn main() -> ExitCode {
     };
     match done {
         Ok(code) => ExitCode::from(code),
-        Err(CliError::Plan(error @ PlanError::TooManyStates { .. })) => {
+        Err(CliError::Plan(
+            error @ (PlanError::TooManyStates { .. } | PlanError::TooLarge { .. }),
+        )) => {
             let _ = writeln!(std::io::stderr(), "mo-copp: {error}");
             ExitCode::from(LIMIT)
         }

@@ -2,13 +2,17 @@
 
 use std::fmt::Write;
 
+use mo_copp::plan::{Plan, PlanError};
 use mo_copp::problem::Problem;
 use mo_copp::report::TraceReport;
-use mo_copp::trace::{Trace, trace};
+use mo_copp::trace::{pass, trace};
 
 use super::args::TraceArgs;
 use super::error::CliError;
 use super::{NO_PLAN, input, plan_text, print, print_json, visible};
+
+/// Believed states of each step in JSON where all of them are too many.
+const STATES_OF_SUMMARY: usize = 64;
 
 /// Believed states shown in text.
 const STATES_SHOWN: usize = 6;
@@ -17,19 +21,28 @@ const STATES_SHOWN: usize = 6;
 pub fn run(args: &TraceArgs) -> Result<u8, CliError> {
     let problem = input::problem(&args.problem)?;
     let plan = plan_text::plan(&problem, args.plan.as_deref(), args.plan_file.as_deref())?;
-    let trace = trace(&problem, &plan)?;
     if args.json {
-        let report = TraceReport::new(&problem, &trace);
+        let report = match trace(&problem, &plan) {
+            Ok(trace) => TraceReport::new(&problem, &trace),
+            // Too many states to list: what they have in common, and some of them.
+            Err(PlanError::TooManyStates { .. }) => {
+                TraceReport::overview(&problem, &plan, STATES_OF_SUMMARY)?
+            }
+            Err(error) => return Err(error.into()),
+        };
         print_json(&report)?;
-    } else {
-        print(&visible(&text(&problem, &trace)))?;
+        return Ok(if report.valid { 0 } else { NO_PLAN });
     }
-    Ok(if trace.reaches_goal { 0 } else { NO_PLAN })
+    let (text, reaches_goal) = text(&problem, &plan)?;
+    print(&visible(&text))?;
+    Ok(if reaches_goal { 0 } else { NO_PLAN })
 }
 
-fn text(problem: &Problem, trace: &Trace) -> String {
+/// The steps for people, and whether the plan ends in the true goal.
+fn text(problem: &Problem, plan: &Plan) -> Result<(String, bool), PlanError> {
     let mut text = String::new();
-    for (number, step) in trace.steps.iter().enumerate() {
+    let (mut number, mut difference) = (0, 0.0);
+    let reaches_goal = pass(problem, plan, |step| {
         // Writing to a text cannot fail.
         let _ = match step.action {
             None => writeln!(text, "start: {}", problem.label(step.state.words())),
@@ -47,35 +60,37 @@ fn text(problem: &Problem, trace: &Trace) -> String {
             };
             let belief = &step.beliefs[index];
             let mut states: Vec<String> = belief
+                .some_states(STATES_SHOWN)
                 .iter()
-                .take(STATES_SHOWN)
                 .map(|state| problem.label(state.words()).to_string())
                 .collect();
-            if belief.len() > STATES_SHOWN {
+            let count = belief.count();
+            if count.as_f64() > STATES_SHOWN as f64 {
                 states.push("…".to_owned());
             }
             let goals: Vec<&str> = step.survivors[index]
                 .iter()
                 .map(|goal| problem.goals()[goal].name.as_str())
                 .collect();
-            let plural = if belief.len() == 1 { "" } else { "s" };
+            let plural = if count.as_f64() == 1.0 { "" } else { "s" };
             let _ = writeln!(
                 text,
-                "  {}: {seen}{} state{plural} ({}); goals left: {}",
+                "  {}: {seen}{count} state{plural} ({}); goals left: {}",
                 observer.name,
-                belief.len(),
                 states.join(" "),
                 if goals.is_empty() { "none".to_owned() } else { goals.join(", ") }
             );
         }
-    }
-    let end = if trace.reaches_goal { "reaches" } else { "does not reach" };
+        number += 1;
+        difference = problem.goal_difference(problem.survivor_counts(step.survivors));
+        Ok(())
+    })?;
+    let end = if reaches_goal { "reaches" } else { "does not reach" };
     let goal = &problem.goals()[problem.true_goal()].name;
-    let actions = trace.steps.iter().filter_map(|step| step.action).collect();
-    if let Some(cost) = (mo_copp::plan::Plan { actions }).cost(problem.task()) {
+    if let Some(cost) = plan.cost(problem.task()) {
         let _ = writeln!(text, "cost: {cost}");
     }
     let _ = writeln!(text, "the plan {end} the true goal {goal}");
-    let _ = writeln!(text, "goal difference: {:.3}", trace.goal_difference(problem));
-    text
+    let _ = writeln!(text, "goal difference: {:.3}", difference);
+    Ok((text, reaches_goal))
 }

@@ -1,5 +1,6 @@
 //! One board: what is drawn inside of its frame, by the format of the document.
 
+use crate::belief::StateCount;
 use crate::domain::Document;
 use crate::domain::grid::Cell;
 use crate::problem::{Role, StateLabel};
@@ -63,8 +64,9 @@ impl<'a> BoardInput<'a> {
     }
 
     /// How many states the observer believes possible.
-    pub fn believed_states(&self) -> usize {
-        self.summary().map_or(self.belief().len(), |summary| summary.states)
+    pub fn believed_states(&self) -> StateCount {
+        let listed = StateCount::Exact(self.belief().len() as u64);
+        self.summary().map_or(listed, |summary| summary.states)
     }
 
     /// Whether a goal survives in the observer's belief.

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::belief::StateCount;
 use crate::domain::grid::Cell;
 use crate::problem::{StateLabel, Value};
 use crate::report::{BeliefReport, Feature};
@@ -370,7 +371,7 @@ fn robot(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
 pub(super) fn battery(input: &BoardInput<'_>, full: u32) -> String {
     match (input.owner, input.summary()) {
         (Owner::Observer(_), Some(summary)) => {
-            let (mut levels, mut held) = (Vec::new(), 0);
+            let (mut levels, mut held) = (Vec::new(), StateCount::Exact(0));
             for share in &summary.shares {
                 match &share.feature {
                     Feature::Part { part: "battery", value: Value::Number(level) } => {
@@ -382,7 +383,7 @@ pub(super) fn battery(input: &BoardInput<'_>, full: u32) -> String {
             }
             levels.sort_unstable();
             let can = match held {
-                0 => "",
+                StateCount::Exact(0) => "",
                 held if held == summary.states => ", holds the can",
                 _ => ", may hold the can",
             };

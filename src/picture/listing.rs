@@ -1,5 +1,6 @@
 //! Boards without places: the facts of a state, and in how many believed states each fact holds.
 
+use crate::belief::StateCount;
 use crate::problem::StateLabel;
 use crate::report::Feature;
 
@@ -17,7 +18,7 @@ pub(super) fn draw(svg: &mut Svg, input: &BoardInput<'_>) {
     svg.rect([0.0, 0.0, SIDE, SIDE], format_args!(r#"rx="10" fill="{}""#, input.palette.floor));
     match (input.owner, input.summary()) {
         (Owner::Observer(_), Some(summary)) if !summary.shares.is_empty() => {
-            let rows: Vec<(String, usize)> = summary
+            let rows: Vec<(String, StateCount)> = summary
                 .shares
                 .iter()
                 .map(|share| {
@@ -32,7 +33,8 @@ pub(super) fn draw(svg: &mut Svg, input: &BoardInput<'_>) {
         }
         (Owner::Observer(_), _) => {
             let names: Vec<String> = input.belief().iter().map(ToString::to_string).collect();
-            let more = input.believed_states() - names.len().min(input.believed_states());
+            let all = input.believed_states().as_f64();
+            let more = (all - names.len() as f64).max(0.0) as usize;
             lines(svg, input, &names, more);
         }
         (Owner::Actor, _) => {
@@ -69,15 +71,15 @@ fn lines(svg: &mut Svg, input: &BoardInput<'_>, names: &[String], more: usize) {
 fn shares(
     svg: &mut Svg,
     input: &BoardInput<'_>,
-    rows: &[(String, usize)],
-    states: usize,
+    rows: &[(String, StateCount)],
+    states: StateCount,
     more: usize,
 ) {
     let (shown, left_out) = fitting_rows(rows.len(), more);
     let palette = input.palette;
     for (row, (name, count)) in rows.iter().take(shown).enumerate() {
         let top = LINE * row as f64;
-        let share = *count as f64 / states.max(1) as f64;
+        let share = count.as_f64() / states.as_f64().max(1.0);
         let bar = [LEFT - 4.0, top + 2.0, (SIDE - 2.0 * LEFT + 8.0) * share, LINE - 4.0];
         svg.rect(bar, format_args!(r#"rx="4" fill="{}""#, input.tone.tint));
         let number =

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::belief::StateCount;
 use crate::domain::Document;
 use crate::report::{Scene, TraceReport};
 
@@ -214,7 +215,7 @@ impl<'a> Sheet<'a> {
             ),
             Owner::Observer(observer) => {
                 let states = input.believed_states();
-                let plural = if states == 1 { "" } else { "s" };
+                let plural = if states == StateCount::Exact(1) { "" } else { "s" };
                 let seen = match input.step().symbols.get(observer) {
                     Some(Some(symbol)) => format!("saw {symbol}; "),
                     _ => String::new(),
@@ -268,7 +269,7 @@ impl<'a> Sheet<'a> {
             let _ = write!(
                 text,
                 " The {side} believes {states} state{} possible, with the goals {}.",
-                if states == 1 { "" } else { "s" },
+                if states == StateCount::Exact(1) { "" } else { "s" },
                 names.as_deref().unwrap_or("of none")
             );
         }

@@ -33,6 +33,12 @@ pub enum PlanError {
         /// The limit on the believed states of all steps together.
         limit: usize,
     },
+    /// Beliefs that take too much memory, though their states are not listed.
+    #[error("trace limit reached at step {step}: the beliefs take too much memory")]
+    TooLarge {
+        /// The step, from 1.
+        step: usize,
+    },
     /// An action that cannot be carried out where the plan has led.
     #[error("step {step}: found {action}, which is not applicable in {state}: {reason}")]
     NotApplicable {

@@ -2,17 +2,19 @@
 
 use serde::Serialize;
 
+use crate::belief::StateCount;
 use crate::problem::{Part, Problem, StateNaming, Value};
 use crate::task::{Fact, State};
+use crate::trace::TracedBelief;
 
 /// The most facts that a summary tells of.
 const MAX_SHARES: usize = 2000;
 
 /// A belief in numbers.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BeliefReport {
     /// How many states are held possible.
-    pub states: usize,
+    pub states: StateCount,
     /// In how many of them a fact holds, for each that holds in one at least, the most telling
     /// first: what is open before what is certain, facts of candidate goals before others, then
     /// those nearest to half of the states.
@@ -20,17 +22,17 @@ pub struct BeliefReport {
     /// How many facts more there are than a summary tells of.
     pub left_out: usize,
     /// In how many of them each candidate goal holds, in the problem's order.
-    pub goals: Vec<usize>,
+    pub goals: Vec<StateCount>,
 }
 
 /// In how many states something holds.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Share {
     /// What holds.
     #[serde(flatten)]
     pub feature: Feature,
     /// In how many states.
-    pub states: usize,
+    pub states: StateCount,
 }
 
 /// Something that can hold in a state, in the words of the document.
@@ -63,8 +65,8 @@ impl BeliefReport {
     /// let document = Document::parse(&std::fs::read_to_string("examples/blocksworld.json")?)?;
     /// let problem = document.problem()?;
     /// let report = BeliefReport::new(&problem, &problem.observers()[0].initial_belief);
-    /// assert_eq!(report.states, 1);
-    /// assert_eq!(report.goals, [0; 5]);
+    /// assert_eq!(report.states.as_f64(), 1.0);
+    /// assert!(report.goals.iter().all(|goal| goal.as_f64() == 0.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(problem: &Problem, belief: &[State]) -> Self {
@@ -76,27 +78,48 @@ impl BeliefReport {
                 counts[fact.index()] += 1;
             }
             for (count, goal) in goals.iter_mut().zip(problem.goals()) {
-                *count += usize::from(task.satisfies(state.words(), &goal.condition));
+                *count += u64::from(task.satisfies(state.words(), &goal.condition));
             }
         }
-        let mut found: Vec<(Fact, usize)> = told(problem)
+        let exact = |counts: Vec<u64>| counts.into_iter().map(StateCount::Exact).collect();
+        let counts: Vec<StateCount> = exact(counts);
+        Self::counted(problem, StateCount::Exact(belief.len() as u64), &counts, exact(goals))
+    }
+
+    /// Counts over a belief of a replay, listed or not.
+    pub(crate) fn of(problem: &Problem, belief: &TracedBelief) -> Self {
+        if let Some(states) = belief.as_list() {
+            return Self::new(problem, states);
+        }
+        let task = problem.task();
+        let goals = problem.goals().iter().map(|g| belief.count_satisfying(task, &g.condition));
+        Self::counted(problem, belief.count(), &belief.fact_counts(task), goals.collect())
+    }
+
+    fn counted(
+        problem: &Problem,
+        states: StateCount,
+        counts: &[StateCount],
+        goals: Vec<StateCount>,
+    ) -> Self {
+        let mut found: Vec<(Fact, StateCount)> = told(problem)
             .map(|fact| (fact, counts[fact.index()]))
-            .filter(|&(_, states)| states > 0)
+            .filter(|&(_, holding)| holding != StateCount::Exact(0))
             .collect();
         let in_goals = facts_of_goals(problem);
-        found.sort_by_key(|&(fact, states)| {
-            let certain = states == belief.len();
-            (certain, !in_goals[fact.index()], (2 * states).abs_diff(belief.len()), fact.index())
+        found.sort_by(|&(a, of_a), &(b, of_b)| {
+            let key =
+                |fact: Fact, holding: StateCount| (holding == states, !in_goals[fact.index()]);
+            let from_half = |holding: StateCount| (2.0 * holding.as_f64() - states.as_f64()).abs();
+            key(a, of_a)
+                .cmp(&key(b, of_b))
+                .then(from_half(of_a).total_cmp(&from_half(of_b)))
+                .then(a.index().cmp(&b.index()))
         });
         let left_out = found.len().saturating_sub(MAX_SHARES);
         found.truncate(MAX_SHARES);
         let share = |(fact, states)| Share { feature: Feature::new(problem, fact), states };
-        Self {
-            states: belief.len(),
-            shares: found.into_iter().map(share).collect(),
-            left_out,
-            goals,
-        }
+        Self { states, shares: found.into_iter().map(share).collect(), left_out, goals }
     }
 }
 

@@ -9,6 +9,7 @@ mod import;
 mod request;
 mod scene;
 
+use fixedbitset::FixedBitSet;
 use serde::Serialize;
 
 pub use advice::{AdviceReport, RemedyReport};
@@ -24,8 +25,8 @@ use crate::goal_difference::GoalSet;
 use crate::plan::{NextAction, Plan, PlanError};
 use crate::problem::{Problem, StateLabel, StateNaming};
 use crate::solver::{LengthPoint, Outcome, Progress, Solver, Stats, Status};
-use crate::task::State;
-use crate::trace::{Passing, ReachableGoals, Trace, pass, trace};
+use crate::task::{Action, State, Task};
+use crate::trace::{Passing, ReachableGoals, Trace, TraceStep, pass, trace};
 
 /// A map from the name of each observer to something, in the problem's order.
 #[derive(Debug, Clone, PartialEq)]
@@ -390,15 +391,13 @@ fn trace_plan(trace: &Trace) -> Plan {
 impl TraceReport {
     /// The report of a trace.
     pub fn new(problem: &Problem, trace: &Trace) -> Self {
-        let step = |step: &crate::trace::TraceStep| {
-            let passing = Passing {
-                action: step.action,
-                state: &step.state,
-                symbols: &step.symbols,
-                beliefs: &step.beliefs,
-                survivors: &step.survivors,
+        let step = |step: &TraceStep| {
+            let labels = |belief: &Vec<State>| -> Vec<StateLabel> {
+                belief.iter().map(|state| problem.label(state.words())).collect()
             };
-            StepReport::new(problem, &passing, usize::MAX)
+            let beliefs = ByObserver::new(problem, |i| labels(&step.beliefs[i]));
+            let TraceStep { action, state, symbols, survivors, .. } = step;
+            StepReport::new(problem, *action, state, symbols, survivors, beliefs)
         };
         Self {
             valid: trace.reaches_goal,
@@ -421,9 +420,9 @@ impl TraceReport {
     /// [`PlanError`] when a step cannot be carried out or holds too many states.
     pub fn overview(problem: &Problem, plan: &Plan, most: usize) -> Result<Self, PlanError> {
         let mut reachable = ReachableGoals::new(problem);
-        let mut ruled_out = |beliefs: &[Vec<State>]| {
+        let mut ruled_out = |facts: &dyn Fn(usize) -> FixedBitSet| {
             Some(ByObserver::new(problem, |i| {
-                let open = reachable.from(&beliefs[i]);
+                let open = reachable.from_facts(facts(i));
                 names_where(problem, |goal| !open.contains(goal))
             }))
         };
@@ -431,17 +430,24 @@ impl TraceReport {
             let trace = trace(problem, plan)?;
             let mut report = Self::new(problem, &trace);
             for (step, kept) in report.steps.iter_mut().zip(&trace.steps) {
-                step.ruled_out = ruled_out(&kept.beliefs);
+                let facts = |i: usize| facts_of(problem.task(), &kept.beliefs[i]);
+                step.ruled_out = ruled_out(&facts);
             }
             return Ok(report.ended(problem));
         }
         let mut steps = Vec::with_capacity(plan.len() + 1);
         let valid = pass(problem, plan, |step| {
-            let summary = |i: usize| BeliefReport::new(problem, &step.beliefs[i]);
+            let summary = |i: usize| BeliefReport::of(problem, &step.beliefs[i]);
+            let labels = |i: usize| -> Vec<StateLabel> {
+                let states = step.beliefs[i].some_states(most);
+                states.iter().map(|state| problem.label(state.words())).collect()
+            };
+            let Passing { action, state, symbols, survivors, .. } = step;
+            let beliefs = ByObserver::new(problem, labels);
             steps.push(StepReport {
                 summaries: Some(ByObserver::new(problem, summary)),
-                ruled_out: ruled_out(step.beliefs),
-                ..StepReport::new(problem, &step, most)
+                ruled_out: ruled_out(&|i| step.beliefs[i].facts(problem.task())),
+                ..StepReport::new(problem, action, state, symbols, survivors, beliefs)
             });
             Ok(())
         })?;
@@ -464,22 +470,35 @@ impl TraceReport {
 }
 
 impl StepReport {
-    /// The report of a step, with at most `most` states of each belief.
-    fn new(problem: &Problem, step: &Passing<'_>, most: usize) -> Self {
-        let listed = |belief: &[State]| -> Vec<StateLabel> {
-            belief.iter().take(most).map(|state| problem.label(state.words())).collect()
-        };
+    /// The report of a step with these beliefs.
+    fn new(
+        problem: &Problem,
+        action: Option<Action>,
+        state: &State,
+        symbols: &[Option<String>],
+        survivors: &[GoalSet],
+        beliefs: ByObserver<Vec<StateLabel>>,
+    ) -> Self {
         Self {
-            action: step.action.map(|action| problem.task().action_name(action).to_owned()),
-            state: problem.label(step.state.words()),
-            symbols: ByObserver::new(problem, |i| step.symbols[i].clone()),
-            beliefs: ByObserver::new(problem, |i| listed(&step.beliefs[i])),
+            action: action.map(|action| problem.task().action_name(action).to_owned()),
+            state: problem.label(state.words()),
+            symbols: ByObserver::new(problem, |i| symbols[i].clone()),
+            beliefs,
             summaries: None,
-            goals: ByObserver::new(problem, |i| goal_names(problem, &step.survivors[i])),
+            goals: ByObserver::new(problem, |i| goal_names(problem, &survivors[i])),
             ruled_out: None,
-            goal_difference: problem.goal_difference(problem.survivor_counts(step.survivors)),
+            goal_difference: problem.goal_difference(problem.survivor_counts(survivors)),
         }
     }
+}
+
+/// The facts that hold in some of the states.
+fn facts_of(task: &Task, states: &[State]) -> FixedBitSet {
+    let mut facts = FixedBitSet::with_capacity(task.fact_count());
+    for fact in states.iter().flat_map(|state| task.facts_of(state.words())) {
+        facts.insert(fact.index());
+    }
+    facts
 }
 
 impl NextReport {

@@ -20,9 +20,7 @@ mod baseline;
 mod classical;
 // What the tests outside of the crate share, once for all tests inside.
 #[cfg(test)]
-#[path = "../../tests/common/mod.rs"]
-#[allow(dead_code, unused_imports, unreachable_pub, missing_docs, missing_debug_implementations)]
-mod common;
+use crate::common;
 mod engine;
 mod error;
 mod explorer;

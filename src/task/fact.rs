@@ -100,6 +100,21 @@ impl Layout {
         self.fields.len()
     }
 
+    /// How many facts a group has. Its values go from 0, for none of them, to this number.
+    pub(crate) fn group_size(&self, group: usize) -> usize {
+        self.groups[group].len()
+    }
+
+    /// The state in which each group has this value.
+    pub(crate) fn state_of_values(&self, values: &[u32]) -> State {
+        let mut words = vec![0; self.words];
+        for (group, &value) in values.iter().enumerate() {
+            let field = self.fields[group];
+            words[field.word as usize] |= u64::from(value) << field.shift;
+        }
+        State::from_words(words)
+    }
+
     /// The group of a fact.
     pub fn group(&self, fact: Fact) -> usize {
         self.slots[fact.index()].group as usize

@@ -2,21 +2,27 @@
 //!
 //! This is the one independent witness for every solver: it works on plain sets of states with the
 //! definitions of Section 2 of the paper and shares nothing with the solvers' interned spaces but
-//! the task and the sensors themselves.
+//! the task and the sensors themselves. A belief that outgrows a list goes on as a decision diagram
+//! ([`TracedBelief`]), so a plan can be replayed where no list of a belief would fit into memory.
 
+mod belief;
 mod elimination;
 mod reachable_goals;
+#[cfg(test)]
+mod tests;
 mod validator;
 
-use rustc_hash::FxHashSet;
-
+pub use belief::TracedBelief;
 pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
 pub use reachable_goals::ReachableGoals;
 pub use validator::{Achievement, InvalidPlan, validate};
 
+use belief::LISTED_STATES;
+
+use crate::belief::StateCount;
 use crate::goal_difference::GoalSet;
 use crate::plan::{Plan, PlanError, execute};
-use crate::problem::Problem;
+use crate::problem::{Observer, Problem};
 use crate::task::{Action, OperatorId, State, Task};
 
 /// The most believed states that a trace keeps, over all steps and observers; and the most of one
@@ -50,7 +56,7 @@ pub struct Passing<'a> {
     /// The symbol each observer saw; none at the start.
     pub symbols: &'a [Option<String>],
     /// What each observer believes.
-    pub beliefs: &'a [Vec<State>],
+    pub beliefs: &'a [TracedBelief],
     /// The goals that survive for each observer.
     pub survivors: &'a [GoalSet],
 }
@@ -108,7 +114,9 @@ struct Replay<'a> {
     path: Vec<OperatorId>,
     states: Vec<State>,
     at: usize,
-    beliefs: Vec<Vec<State>>,
+    beliefs: Vec<TracedBelief>,
+    /// The most states of a belief that is listed.
+    listed: usize,
 }
 
 impl<'a> Replay<'a> {
@@ -116,23 +124,20 @@ impl<'a> Replay<'a> {
         let task = problem.task();
         let label = |words: &[u64]| problem.label(words).to_string();
         let (path, states) = execute(task, plan, label)?;
-        let sorted = |mut belief: Vec<State>| {
-            belief.sort_unstable();
-            belief.dedup();
-            belief
-        };
-        let beliefs =
-            problem.observers().iter().map(|o| sorted(o.initial_belief.clone())).collect();
-        Ok(Self { problem, operators: OperatorsByFact::new(task), path, states, at: 0, beliefs })
+        let first = |observer: &Observer| TracedBelief::listed(observer.initial_belief.clone());
+        let beliefs = problem.observers().iter().map(first).collect();
+        let operators = OperatorsByFact::new(task);
+        let listed = LISTED_STATES;
+        Ok(Self { problem, operators, path, states, at: 0, beliefs, listed })
     }
 
     fn survivors(&self) -> Vec<GoalSet> {
         let goals = self.problem.goals();
-        let of = |belief: &Vec<State>| {
+        let of = |belief: &TracedBelief| {
             let mut set = GoalSet::none(goals.len());
             for (index, goal) in goals.iter().enumerate() {
                 let task = self.problem.task();
-                if belief.iter().any(|state| task.satisfies(state.words(), &goal.condition)) {
+                if belief.satisfies(task, &goal.condition) {
                     set.insert(index);
                 }
             }
@@ -147,27 +152,20 @@ impl<'a> Replay<'a> {
     }
 
     /// Takes the next step and returns the symbols seen; none at the end.
-    fn step(&mut self) -> Option<Vec<Option<String>>> {
-        let &operator = self.path.get(self.at)?;
+    fn step(&mut self) -> Result<Option<Vec<Option<String>>>, PlanError> {
+        let Some(&operator) = self.path.get(self.at) else { return Ok(None) };
         self.at += 1;
         let task = self.problem.task();
         let mut symbols = Vec::new();
         for (observer, belief) in self.problem.observers().iter().zip(&mut self.beliefs) {
             let sensor = &observer.sensor;
             let seen = sensor.read(task, operator, self.states[self.at].words());
-            let mut next: FxHashSet<Box<[u64]>> = FxHashSet::default();
-            for state in belief.iter() {
-                self.operators.successors(task, state, |id, target| {
-                    if sensor.read(task, id, target) == seen && !next.contains(target) {
-                        next.insert(target.into());
-                    }
-                });
-            }
-            *belief = next.into_iter().map(|words| State::from_words(words.into_vec())).collect();
-            belief.sort_unstable();
+            belief
+                .update(task, &self.operators, sensor, seen, self.listed)
+                .map_err(|_| PlanError::TooLarge { step: self.at })?;
             symbols.push(Some(sensor.name(seen).to_owned()));
         }
-        Some(symbols)
+        Ok(Some(symbols))
     }
 }
 
@@ -194,15 +192,21 @@ pub fn trace(problem: &Problem, plan: &Plan) -> Result<Trace, PlanError> {
     let mut steps = Vec::with_capacity(plan.len() + 1);
     let mut kept = 0;
     let reaches_goal = pass(problem, plan, |step| {
-        kept += step.beliefs.iter().map(Vec::len).sum::<usize>();
-        if kept > MAX_STATES {
-            return Err(PlanError::TooManyStates { step: steps.len(), limit: MAX_STATES });
+        for belief in step.beliefs {
+            kept += match belief.count() {
+                StateCount::Exact(count) => usize::try_from(count).unwrap_or(usize::MAX),
+                StateCount::About(_) => usize::MAX,
+            }
+            .min(2 * MAX_STATES);
+            if kept > MAX_STATES {
+                return Err(PlanError::TooManyStates { step: steps.len(), limit: MAX_STATES });
+            }
         }
         steps.push(TraceStep {
             action: step.action,
             state: step.state.clone(),
             symbols: step.symbols.to_vec(),
-            beliefs: step.beliefs.to_vec(),
+            beliefs: step.beliefs.iter().map(|belief| belief.some_states(MAX_STATES)).collect(),
             survivors: step.survivors.to_vec(),
         });
         Ok(())
@@ -241,7 +245,8 @@ pub fn pass(
     let mut replay = Replay::new(problem, plan)?;
     let mut seen = Some(vec![None; problem.observers().len()]);
     while let Some(symbols) = seen {
-        if replay.beliefs.iter().map(Vec::len).sum::<usize>() > MAX_STATES {
+        let listed = |belief: &TracedBelief| belief.as_list().map_or(0, <[State]>::len);
+        if replay.beliefs.iter().map(listed).sum::<usize>() > MAX_STATES {
             return Err(PlanError::TooManyStates { step: replay.at, limit: MAX_STATES });
         }
         visit(Passing {
@@ -251,7 +256,7 @@ pub fn pass(
             beliefs: &replay.beliefs,
             survivors: &replay.survivors(),
         })?;
-        seen = replay.step();
+        seen = replay.step()?;
     }
     Ok(replay.reaches_goal())
 }

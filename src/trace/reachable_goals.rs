@@ -63,6 +63,11 @@ impl<'a> ReachableGoals<'a> {
                 facts.insert(fact.index());
             }
         }
+        self.from_facts(facts)
+    }
+
+    /// The same for all facts that hold in some believed state.
+    pub fn from_facts(&mut self, facts: FixedBitSet) -> GoalSet {
         if let Some(known) = self.known.get(&facts) {
             return known.clone();
         }

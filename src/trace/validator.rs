@@ -37,7 +37,7 @@ pub fn validate(problem: &Problem, plan: &Plan) -> Result<Achievement, InvalidPl
     if !replay.reaches_goal() {
         return Err(InvalidPlan::MissesGoal);
     }
-    while replay.step().is_some() {}
+    while replay.step()?.is_some() {}
     let survivors = replay.survivors();
     let counts = problem.survivor_counts(&survivors);
     Ok(Achievement { survivors, counts })

@@ -1,0 +1,185 @@
+//! What a set of states comes to: its size, in how many of its states each fact holds, some of its states.
+
+use rustc_hash::FxHashMap;
+
+use crate::task::{Fact, State};
+
+use super::store::{Diagrams, SetId};
+
+/// A number of states: exact up to 2⁶⁴ − 1, beyond that to the nearest number that a float holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StateCount {
+    /// So many.
+    Exact(u64),
+    /// About so many, 2⁶⁴ or more.
+    About(f64),
+}
+
+impl StateCount {
+    /// The number, as near as a float holds it.
+    pub fn as_f64(self) -> f64 {
+        match self {
+            Self::Exact(count) => count as f64,
+            Self::About(count) => count,
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Exact(a), Self::Exact(b)) => match a.checked_add(b) {
+                Some(sum) => Self::Exact(sum),
+                None => Self::About(a as f64 + b as f64),
+            },
+            (a, b) => Self::About(a.as_f64() + b.as_f64()),
+        }
+    }
+
+    fn times(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Exact(a), Self::Exact(b)) => match a.checked_mul(b) {
+                Some(product) => Self::Exact(product),
+                None => Self::About(a as f64 * b as f64),
+            },
+            (Self::Exact(0), _) | (_, Self::Exact(0)) => Self::Exact(0),
+            (a, b) => Self::About(a.as_f64() * b.as_f64()),
+        }
+    }
+}
+
+/// A number in JSON.
+impl serde::Serialize for StateCount {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Exact(count) => serializer.serialize_u64(*count),
+            Self::About(count) => serializer.serialize_f64(*count),
+        }
+    }
+}
+
+impl std::fmt::Display for StateCount {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Exact(count) => count.fmt(f),
+            Self::About(count) => write!(f, "about {count:.2e}"),
+        }
+    }
+}
+
+impl Diagrams {
+    /// How many states a set has. Linear in its nodes.
+    pub fn count(&self, set: SetId) -> StateCount {
+        let mut below = FxHashMap::default();
+        self.count_below(set, &mut below)
+    }
+
+    fn count_below(&self, set: SetId, done: &mut FxHashMap<SetId, StateCount>) -> StateCount {
+        match set {
+            SetId::EMPTY => return StateCount::Exact(0),
+            SetId::END => return StateCount::Exact(1),
+            _ => {}
+        }
+        if let Some(&known) = done.get(&set) {
+            return known;
+        }
+        let mut sum = StateCount::Exact(0);
+        for branch in self.branches(set) {
+            sum = sum.plus(self.count_below(branch.below, done));
+        }
+        done.insert(set, sum);
+        sum
+    }
+
+    /// In how many states of a set each fact of the task holds, by the facts' numbers. Linear in its nodes.
+    pub fn fact_counts(&self, set: SetId) -> Vec<StateCount> {
+        let task = self.task();
+        let mut counts = vec![StateCount::Exact(0); task.fact_count()];
+        let mut by_place = FxHashMap::default();
+        for fact in task.facts() {
+            let place = (task.layout().group(fact) as u32, task.layout().value(fact) as u32);
+            by_place.insert(place, fact);
+        }
+        let mut below = FxHashMap::default();
+        self.count_below(set, &mut below);
+        // Level by level, each node after all that lead to it.
+        let mut above: Vec<(SetId, StateCount)> = vec![(set, StateCount::Exact(1))];
+        for level in 0..self.depth() {
+            let mut next: std::collections::BTreeMap<SetId, StateCount> =
+                std::collections::BTreeMap::new();
+            for (node, ways) in above {
+                for branch in self.branches(node) {
+                    let through = ways.times(self.count_below(branch.below, &mut below));
+                    if let Some(fact) = by_place.get(&(level, branch.value)) {
+                        let count: &mut StateCount = &mut counts[fact.index()];
+                        *count = count.plus(through);
+                    }
+                    let known = next.entry(branch.below).or_insert(StateCount::Exact(0));
+                    *known = known.plus(ways);
+                }
+            }
+            above = next.into_iter().collect();
+        }
+        counts
+    }
+
+    /// In how many states of a set a conjunction of facts holds. Linear in its nodes.
+    pub fn count_satisfying(&self, set: SetId, condition: &[Fact]) -> StateCount {
+        let layout = self.task().layout();
+        let mut wanted = std::collections::BTreeMap::new();
+        for &fact in condition {
+            let (level, value) = (layout.group(fact) as u32, layout.value(fact) as u32);
+            if wanted.insert(level, value).is_some_and(|known| known != value) {
+                return StateCount::Exact(0);
+            }
+        }
+        let mut done = FxHashMap::default();
+        self.count_wanted(set, &wanted, &mut done)
+    }
+
+    fn count_wanted(
+        &self,
+        set: SetId,
+        wanted: &std::collections::BTreeMap<u32, u32>,
+        done: &mut FxHashMap<SetId, StateCount>,
+    ) -> StateCount {
+        match set {
+            SetId::EMPTY => return StateCount::Exact(0),
+            SetId::END => return StateCount::Exact(1),
+            _ => {}
+        }
+        if let Some(&known) = done.get(&set) {
+            return known;
+        }
+        let value = wanted.get(&self.level(set));
+        let mut sum = StateCount::Exact(0);
+        for branch in self.branches(set) {
+            if value.is_none_or(|&value| value == branch.value) {
+                sum = sum.plus(self.count_wanted(branch.below, wanted, done));
+            }
+        }
+        done.insert(set, sum);
+        sum
+    }
+
+    /// The first states of a set, by increasing values of the groups; at most `most`.
+    pub fn first_states(&self, set: SetId, most: usize) -> Vec<State> {
+        let mut states = Vec::new();
+        let mut values = Vec::with_capacity(self.depth() as usize);
+        self.walk(set, most, &mut values, &mut states);
+        states
+    }
+
+    fn walk(&self, set: SetId, most: usize, values: &mut Vec<u32>, states: &mut Vec<State>) {
+        if states.len() >= most || set == SetId::EMPTY {
+            return;
+        }
+        if set == SetId::END {
+            states.push(self.task().layout().state_of_values(values));
+            return;
+        }
+        for branch in self.branches(set) {
+            values.push(branch.value);
+            self.walk(branch.below, most, values, states);
+            values.pop();
+        }
+    }
+}

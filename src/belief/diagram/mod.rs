@@ -1,0 +1,20 @@
+//! Beliefs as multi-valued decision diagrams, which never list their states.
+//!
+//! A diagram has a level for each group of exclusive facts of the task, in the order of the layout, and a node an edge for
+//! each value of its group that some state of the set takes (Srinivasan et al. 1990, "Algorithms for discrete function
+//! manipulation", doi:10.1109/ICCAD.1990.129849). Nodes are interned, so that equal sets are the same number and beliefs
+//! share what they have in common. A belief of 10⁹ states can take a few hundred nodes.
+//!
+//! - [`store`]: the nodes, union, whether a conjunction of facts holds somewhere.
+//! - [`relation`]: the operators behind a symbol as one relation, and the image of a set under it.
+//! - [`measure`]: how many states a set has, in how many a fact holds, some of its states.
+
+pub mod measure;
+pub mod relation;
+pub mod store;
+#[cfg(test)]
+mod tests;
+
+pub use measure::StateCount;
+pub use relation::SymbolRelations;
+pub use store::{Diagrams, SetId};

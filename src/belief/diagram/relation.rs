@@ -1,0 +1,292 @@
+//! The operators behind each symbol as one relation on values of groups, and images under it.
+//!
+//! A step that gives a symbol is an operator and, where the sensor looks at the resulting state, what it asks of it.
+//! Each is a list of partial maps from values to values, one for each level; most levels keep their value. Steps that do the same from a
+//! level on are one there, so that a set of steps is met again by many nodes, and the image of a whole
+//! belief under all of a symbol's steps is one walk over its nodes (the relational product of symbolic model
+//! checking: Burch et al. 1992, doi:10.1016/0890-5401(92)90017-A).
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+
+use crate::limits::LimitReached;
+use crate::sensor::{Sensor, Symbol};
+use crate::task::{Fact, Operator, Task};
+
+use super::store::{Branch, Diagrams, SetId};
+
+/// What a step does from a level on: it keeps all values, or the map of the level and what it does below.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+struct Tail(u32);
+
+/// The step that keeps the values of all levels that are left.
+const KEEPS: Tail = Tail(0);
+
+/// A set of tails, by its number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+struct TailSet(u32);
+
+/// New values, each with what is left to do below.
+type NextValues = Arc<[(u32, TailSet)]>;
+
+/// The map of one level: the new value of each old one, none where the step can't be taken.
+type Map = Box<[Option<u32>]>;
+
+/// The relations of one sensor's symbols, and the images worked out so far.
+#[derive(Debug, Clone)]
+pub struct SymbolRelations {
+    /// For each tail but the first its map and the tail below.
+    tails: Vec<(u32, Tail)>,
+    maps: Vec<Map>,
+    sets: Vec<Box<[Tail]>>,
+    set_numbers: FxHashMap<Box<[Tail]>, TailSet>,
+    /// For a set of tails and an old value: the new values and what is left to do for each.
+    steps: FxHashMap<(TailSet, u32), NextValues>,
+    /// The steps of each symbol.
+    symbols: Vec<TailSet>,
+    images: FxHashMap<(SetId, TailSet), SetId>,
+}
+
+/// What one step asks of the values before and after it, and how it changes them.
+#[derive(Debug, Clone, Default)]
+struct Step {
+    /// Value that a group must have before.
+    before: BTreeMap<usize, u32>,
+    /// Facts that the operator adds, as values of groups.
+    add: BTreeMap<usize, u32>,
+    /// Values that the operator takes away.
+    delete: BTreeMap<usize, Vec<u32>>,
+    /// Value that a group must have afterwards.
+    after: BTreeMap<usize, u32>,
+    /// Values that a group must not have afterwards.
+    not_after: BTreeMap<usize, Vec<u32>>,
+}
+
+impl Step {
+    fn of(task: &Task, operator: &Operator) -> Self {
+        let layout = task.layout();
+        let place = |fact: &Fact| (layout.group(*fact), layout.value(*fact) as u32);
+        let mut step = Self {
+            before: operator.preconditions.iter().map(place).collect(),
+            add: operator.add.iter().map(place).collect(),
+            ..Self::default()
+        };
+        for (group, value) in operator.delete.iter().map(place) {
+            step.delete.entry(group).or_default().push(value);
+        }
+        step
+    }
+
+    /// The map of a level; none where it keeps every value.
+    fn map(&self, level: usize, values: usize) -> Option<Map> {
+        let touched = self.before.contains_key(&level)
+            || self.add.contains_key(&level)
+            || self.delete.contains_key(&level)
+            || self.after.contains_key(&level)
+            || self.not_after.contains_key(&level);
+        touched.then(|| (0..values as u32).map(|value| self.next(level, value)).collect())
+    }
+
+    fn next(&self, level: usize, value: u32) -> Option<u32> {
+        if self.before.get(&level).is_some_and(|&wanted| wanted != value) {
+            return None;
+        }
+        let deleted = self.delete.get(&level).is_some_and(|values| values.contains(&value));
+        let kept = if deleted { 0 } else { value };
+        let next = self.add.get(&level).copied().unwrap_or(kept);
+        let seen = self.after.get(&level).is_none_or(|&wanted| wanted == next)
+            && !self.not_after.get(&level).is_some_and(|values| values.contains(&next));
+        seen.then_some(next)
+    }
+
+    /// The step where these facts hold afterwards as well; none where two exclude each other.
+    fn with(&self, task: &Task, facts: &[Fact]) -> Option<Self> {
+        let layout = task.layout();
+        let mut step = self.clone();
+        for &fact in facts {
+            let (group, value) = (layout.group(fact), layout.value(fact) as u32);
+            if step.after.insert(group, value).is_some_and(|known| known != value) {
+                return None;
+            }
+        }
+        Some(step)
+    }
+
+    /// The step where not all of these facts hold afterwards, as steps of which no two can be taken together: the first
+    /// fact does not hold; the first holds and the second does not; and so on.
+    fn without(&self, task: &Task, facts: &[Fact]) -> Vec<Self> {
+        let layout = task.layout();
+        let mut steps = Vec::new();
+        for (place, &fact) in facts.iter().enumerate() {
+            if let Some(mut step) = self.with(task, &facts[..place]) {
+                let (group, value) = (layout.group(fact), layout.value(fact) as u32);
+                step.not_after.entry(group).or_default().push(value);
+                steps.push(step);
+            }
+        }
+        steps
+    }
+}
+
+impl SymbolRelations {
+    /// The relations of a sensor. Linear in the operators times the levels, and in the cases of the sensor times the facts
+    /// they look at.
+    pub fn new(task: &Task, sensor: &Sensor) -> Self {
+        let mut relations = Self {
+            tails: Vec::new(),
+            maps: Vec::new(),
+            sets: Vec::new(),
+            set_numbers: FxHashMap::default(),
+            steps: FxHashMap::default(),
+            symbols: Vec::new(),
+            images: FxHashMap::default(),
+        };
+        let mut numbers = Numbers::default();
+        let mut roots: Vec<Vec<Tail>> = vec![Vec::new(); sensor.symbol_count()];
+        for (id, operator) in task.operator_ids() {
+            let mut left = vec![Step::of(task, operator)];
+            for (facts, symbol) in sensor.cases(id) {
+                for step in left.iter().filter_map(|step| step.with(task, facts)) {
+                    let tail = relations.tail(task, &step, &mut numbers);
+                    roots[symbol.index()].extend(tail);
+                }
+                left = left.iter().flat_map(|step| step.without(task, facts)).collect();
+            }
+            for step in left {
+                let tail = relations.tail(task, &step, &mut numbers);
+                roots[sensor.otherwise(id).index()].extend(tail);
+            }
+        }
+        relations.symbols = roots.into_iter().map(|tails| relations.set(tails)).collect();
+        relations
+    }
+
+    /// The tail of a step at the first level; none where it can never be taken.
+    fn tail(&mut self, task: &Task, step: &Step, numbers: &mut Numbers) -> Option<Tail> {
+        let mut tail = KEEPS;
+        for level in (0..task.layout().group_count()).rev() {
+            let values = task.layout().group_size(level) + 1;
+            let map = match step.map(level, values) {
+                Some(map) if map.iter().all(Option::is_none) => return None,
+                Some(map) => map,
+                None if tail == KEEPS => continue,
+                None => (0..values as u32).map(Some).collect(),
+            };
+            let next = self.maps.len() as u32;
+            let map = *numbers.maps.entry(map).or_insert_with_key(|map| {
+                self.maps.push(map.clone());
+                next
+            });
+            let next = Tail(self.tails.len() as u32 + 1);
+            tail = *numbers.tails.entry((level, map, tail)).or_insert_with(|| {
+                self.tails.push((map, tail));
+                next
+            });
+        }
+        Some(tail)
+    }
+
+    fn set(&mut self, mut tails: Vec<Tail>) -> TailSet {
+        tails.sort_unstable();
+        tails.dedup();
+        let tails = tails.into_boxed_slice();
+        if let Some(&known) = self.set_numbers.get(&tails) {
+            return known;
+        }
+        let number = TailSet(self.sets.len() as u32);
+        self.sets.push(tails.clone());
+        self.set_numbers.insert(tails, number);
+        number
+    }
+
+    /// What a set of tails makes of an old value: the new ones, each with what is left to do.
+    fn step(&mut self, set: TailSet, value: u32) -> NextValues {
+        if let Some(known) = self.steps.get(&(set, value)) {
+            return Arc::clone(known);
+        }
+        let mut found: BTreeMap<u32, Vec<Tail>> = BTreeMap::new();
+        for &tail in &self.sets[set.0 as usize] {
+            let Some(place) = tail.0.checked_sub(1) else {
+                found.entry(value).or_default().push(KEEPS);
+                continue;
+            };
+            let (map, below) = self.tails[place as usize];
+            if let Some(next) = self.maps[map as usize].get(value as usize).copied().flatten() {
+                found.entry(next).or_default().push(below);
+            }
+        }
+        let steps: NextValues =
+            found.into_iter().map(|(next, tails)| (next, self.set(tails))).collect();
+        self.steps.insert((set, value), Arc::clone(&steps));
+        steps
+    }
+
+    /// Bytes in use, counted by contents.
+    pub fn bytes(&self) -> u64 {
+        let steps: usize = self.steps.values().map(|steps| 40 + 8 * steps.len()).sum();
+        let sets: usize = self.sets.iter().map(|set| 64 + 8 * set.len()).sum();
+        (24 * self.images.len() + steps + sets) as u64
+    }
+
+    /// The belief after a symbol: every state that some operator leads to from a state of `belief` and on which the
+    /// sensor reads the symbol (Section 2 of the paper). Each pair of a node and a set of steps is worked
+    /// out once.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when the nodes outgrow the limit of `diagrams`.
+    pub fn update(
+        &mut self,
+        diagrams: &mut Diagrams,
+        belief: SetId,
+        symbol: Symbol,
+    ) -> Result<SetId, LimitReached> {
+        let next = self.image(diagrams, belief, self.symbols[symbol.index()])?;
+        diagrams.check(self.bytes())?;
+        Ok(next)
+    }
+
+    fn image(
+        &mut self,
+        diagrams: &mut Diagrams,
+        set: SetId,
+        steps: TailSet,
+    ) -> Result<SetId, LimitReached> {
+        match &*self.sets[steps.0 as usize] {
+            [] => return Ok(SetId::EMPTY),
+            [KEEPS] => return Ok(set),
+            _ => {}
+        }
+        if set == SetId::EMPTY || set == SetId::END {
+            return Ok(set);
+        }
+        if let Some(&known) = self.images.get(&(set, steps)) {
+            return Ok(known);
+        }
+        let mut reached: BTreeMap<u32, SetId> = BTreeMap::new();
+        for index in 0..diagrams.branches(set).len() {
+            let Branch { value, below } = diagrams.branches(set)[index];
+            for &(next, left) in &*self.step(steps, value) {
+                let image = self.image(diagrams, below, left)?;
+                if image != SetId::EMPTY {
+                    let known = reached.get(&next).copied().unwrap_or(SetId::EMPTY);
+                    reached.insert(next, diagrams.union(known, image)?);
+                }
+            }
+        }
+        let branches: Vec<Branch> =
+            reached.into_iter().map(|(value, below)| Branch { value, below }).collect();
+        let image = diagrams.node(diagrams.level(set), &branches)?;
+        self.images.insert((set, steps), image);
+        Ok(image)
+    }
+}
+
+/// Numbers of maps and tails while relations are made.
+#[derive(Debug, Default)]
+struct Numbers {
+    maps: FxHashMap<Map, u32>,
+    tails: FxHashMap<(usize, u32, Tail), Tail>,
+}

@@ -1,0 +1,277 @@
+//! The nodes of decision diagrams, interned, and the set operations on them.
+
+use std::hash::{BuildHasher, BuildHasherDefault};
+use std::sync::Arc;
+
+use hashbrown::HashTable;
+use rustc_hash::{FxHashMap, FxHasher};
+
+use crate::limits::{LimitReached, Limits};
+use crate::task::{Fact, State, Task};
+
+/// A set of states, by the number of its root. Equal sets have equal numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SetId(pub(super) u32);
+
+impl SetId {
+    /// The set without states.
+    pub const EMPTY: Self = Self(0);
+    /// Below the last level: the one way to go on.
+    pub(super) const END: Self = Self(1);
+
+    /// Its number.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An edge of a node: the value of its group, and the node below.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Branch {
+    /// 0 where none of the group's facts holds, else one more than the fact's place in it.
+    pub value: u32,
+    /// What the groups that follow can be.
+    pub below: SetId,
+}
+
+/// How many new nodes are made between two looks at the memory.
+const NODES_BETWEEN_CHECKS: u32 = 1024;
+
+/// The diagrams of a task's sets of states.
+#[derive(Debug, Clone)]
+pub struct Diagrams {
+    task: Arc<Task>,
+    /// The edges of all nodes, one node after another.
+    branches: Vec<Branch>,
+    ends: Vec<usize>,
+    levels: Vec<u32>,
+    table: HashTable<u32>,
+    unions: FxHashMap<(SetId, SetId), SetId>,
+    limits: Limits,
+    since_check: u32,
+}
+
+fn hash(level: u32, branches: &[Branch]) -> u64 {
+    BuildHasherDefault::<FxHasher>::default().hash_one((level, branches))
+}
+
+impl Diagrams {
+    /// No set but the empty one.
+    pub fn new(task: Arc<Task>, limits: Limits) -> Self {
+        Self {
+            task,
+            branches: Vec::new(),
+            // The two sets that have no node: the empty one, and the way past the last level.
+            ends: vec![0, 0],
+            levels: vec![0, 0],
+            table: HashTable::new(),
+            unions: FxHashMap::default(),
+            limits,
+            since_check: 0,
+        }
+    }
+
+    /// The task whose states the sets hold.
+    pub fn task(&self) -> &Arc<Task> {
+        &self.task
+    }
+
+    /// How many levels a diagram has.
+    pub fn depth(&self) -> u32 {
+        self.task.layout().group_count() as u32
+    }
+
+    /// Bytes in use, counted by contents.
+    pub fn bytes(&self) -> u64 {
+        let nodes = size_of::<Branch>() * self.branches.len() + 24 * self.ends.len();
+        (nodes + 24 * self.unions.len()) as u64
+    }
+
+    /// Checks the nodes, and what is kept beside them in bytes, against the limit.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when they outgrow it.
+    pub(super) fn check(&self, others: u64) -> Result<(), LimitReached> {
+        self.limits.check_bytes(self.bytes() + others)
+    }
+
+    /// The edges of a node, by increasing values.
+    pub fn branches(&self, set: SetId) -> &[Branch] {
+        let begin = set.index().checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.branches[begin..self.ends[set.index()]]
+    }
+
+    /// The level of a node.
+    pub fn level(&self, set: SetId) -> u32 {
+        self.levels[set.index()]
+    }
+
+    /// The node with these edges, given a number when it is new. Edges to the empty set are left out.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when the nodes outgrow the limit.
+    pub(super) fn node(&mut self, level: u32, branches: &[Branch]) -> Result<SetId, LimitReached> {
+        if branches.is_empty() {
+            return Ok(SetId::EMPTY);
+        }
+        debug_assert!(branches.is_sorted_by(|a, b| a.value < b.value));
+        debug_assert!(branches.iter().all(|branch| branch.below != SetId::EMPTY));
+        let (all, ends, levels) = (&self.branches, &self.ends, &self.levels);
+        let of = |id: u32| {
+            let begin = ends[id as usize - 1];
+            (levels[id as usize], &all[begin..ends[id as usize]])
+        };
+        let entry = self.table.entry(
+            hash(level, branches),
+            |&id| of(id) == (level, branches),
+            |&id| {
+                let (level, branches) = of(id);
+                hash(level, branches)
+            },
+        );
+        match entry {
+            hashbrown::hash_table::Entry::Occupied(known) => Ok(SetId(*known.get())),
+            hashbrown::hash_table::Entry::Vacant(vacant) => {
+                let id = ends.len() as u32;
+                vacant.insert(id);
+                self.branches.extend_from_slice(branches);
+                self.ends.push(self.branches.len());
+                self.levels.push(level);
+                self.since_check += 1;
+                if self.since_check >= NODES_BETWEEN_CHECKS {
+                    self.since_check = 0;
+                    self.check(0)?;
+                }
+                Ok(SetId(id))
+            }
+        }
+    }
+
+    /// The set of one state.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when the nodes outgrow the limit.
+    pub fn single(&mut self, state: &State) -> Result<SetId, LimitReached> {
+        let task = Arc::clone(&self.task);
+        let mut below = SetId::END;
+        for level in (0..self.depth()).rev() {
+            let value = task.layout().group_value(state.words(), level as usize) as u32;
+            below = self.node(level, &[Branch { value, below }])?;
+        }
+        Ok(below)
+    }
+
+    /// The set of some states. As many unions as states, joined in pairs.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when the nodes outgrow the limit.
+    pub fn of_states(&mut self, states: &[State]) -> Result<SetId, LimitReached> {
+        match states {
+            [] => Ok(SetId::EMPTY),
+            [state] => self.single(state),
+            states => {
+                let (one, other) = states.split_at(states.len() / 2);
+                let (one, other) = (self.of_states(one)?, self.of_states(other)?);
+                self.union(one, other)
+            }
+        }
+    }
+
+    /// The states of either set. At most the product of both numbers of nodes.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when the nodes outgrow the limit.
+    pub fn union(&mut self, one: SetId, other: SetId) -> Result<SetId, LimitReached> {
+        if one == other || other == SetId::EMPTY {
+            return Ok(one);
+        }
+        if one == SetId::EMPTY {
+            return Ok(other);
+        }
+        let key = (one.min(other), one.max(other));
+        if let Some(&known) = self.unions.get(&key) {
+            return Ok(known);
+        }
+        let mut joined = Vec::new();
+        let (mut left, mut right) = (0, 0);
+        loop {
+            let a = self.branches(one).get(left).copied();
+            let b = self.branches(other).get(right).copied();
+            let branch = match (a, b) {
+                (None, None) => break,
+                (Some(a), Some(b)) if a.value == b.value => {
+                    (left, right) = (left + 1, right + 1);
+                    Branch { value: a.value, below: self.union(a.below, b.below)? }
+                }
+                (Some(a), b) if b.is_none_or(|b| a.value < b.value) => {
+                    left += 1;
+                    a
+                }
+                (_, Some(b)) => {
+                    right += 1;
+                    b
+                }
+                (Some(a), None) => {
+                    left += 1;
+                    a
+                }
+            };
+            joined.push(branch);
+        }
+        let set = self.node(self.level(one), &joined)?;
+        self.unions.insert(key, set);
+        Ok(set)
+    }
+
+    /// The value that a conjunction of facts asks of each level, sorted by level; nothing where two of its facts
+    /// exclude each other.
+    fn wanted(&self, condition: &[Fact]) -> Option<Vec<(u32, u32)>> {
+        let layout = self.task.layout();
+        let mut wanted: Vec<(u32, u32)> = condition
+            .iter()
+            .map(|&fact| (layout.group(fact) as u32, layout.value(fact) as u32))
+            .collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        wanted.is_sorted_by(|a, b| a.0 < b.0).then_some(wanted)
+    }
+
+    /// Whether some state of the set satisfies a conjunction of facts. Linear in the nodes of the set; makes none.
+    pub fn satisfies(&self, set: SetId, condition: &[Fact]) -> bool {
+        let Some(wanted) = self.wanted(condition) else { return false };
+        let mut dead = rustc_hash::FxHashSet::default();
+        self.reaches(set, &wanted, &mut dead)
+    }
+
+    fn reaches(
+        &self,
+        set: SetId,
+        wanted: &[(u32, u32)],
+        dead: &mut rustc_hash::FxHashSet<SetId>,
+    ) -> bool {
+        if set == SetId::EMPTY {
+            return false;
+        }
+        let Some(&(level, value)) = wanted.first() else { return true };
+        if dead.contains(&set) {
+            return false;
+        }
+        let here = self.level(set);
+        let found = self.branches(set).iter().any(|branch| {
+            if here == level {
+                branch.value == value && self.reaches(branch.below, &wanted[1..], dead)
+            } else {
+                self.reaches(branch.below, wanted, dead)
+            }
+        });
+        if !found {
+            dead.insert(set);
+        }
+        found
+    }
+}

@@ -1,0 +1,155 @@
+//! Diagrams against sorted sets, update by update, on documents of every format.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use super::measure::StateCount;
+use super::{Diagrams, SetId, SymbolRelations};
+use crate::common::Dice;
+use crate::common::random::{self, MEDIUM, PAIR};
+use crate::domain::Document;
+use crate::domain::generate::Domain;
+use crate::limits::Limits;
+use crate::problem::Problem;
+use crate::task::{OperatorId, State};
+
+/// The definition of the update, state by state.
+fn update(
+    problem: &Problem,
+    observer: usize,
+    belief: &BTreeSet<State>,
+    symbol: u32,
+) -> BTreeSet<State> {
+    let (task, sensor) = (problem.task(), &problem.observers()[observer].sensor);
+    let mut next = BTreeSet::new();
+    for state in belief {
+        let mut applicable = Vec::new();
+        task.applicable(state.words(), &mut applicable);
+        for operator in applicable {
+            let mut words = state.words().to_vec();
+            task.apply(operator, &mut words);
+            if sensor.read(task, operator, &words).index() == symbol as usize {
+                next.insert(State::from_words(words));
+            }
+        }
+    }
+    next
+}
+
+/// Walks at random and compares each belief with its diagram; the number of updates compared.
+fn compare(problem: &Problem, dice: &mut Dice, steps: usize, most: usize) -> usize {
+    let task = problem.task();
+    let mut compared = 0;
+    for (number, observer) in problem.observers().iter().enumerate() {
+        let mut diagrams = Diagrams::new(Arc::clone(task), Limits::default());
+        let mut relations = SymbolRelations::new(task, &observer.sensor);
+        let mut belief: BTreeSet<State> = observer.initial_belief.iter().cloned().collect();
+        let mut set = diagrams.of_states(&observer.initial_belief).unwrap();
+        let mut actor = task.initial_state().clone();
+        for _ in 0..steps {
+            let mut applicable: Vec<OperatorId> = Vec::new();
+            task.applicable(actor.words(), &mut applicable);
+            if applicable.is_empty() || belief.len() > most {
+                break;
+            }
+            let operator = dice.pick(&applicable);
+            let mut words = actor.words().to_vec();
+            task.apply(operator, &mut words);
+            let symbol = observer.sensor.read(task, operator, &words);
+            actor = State::from_words(words);
+            belief = update(problem, number, &belief, symbol.index() as u32);
+            set = relations.update(&mut diagrams, set, symbol).unwrap();
+            assert_eq!(diagrams.count(set), StateCount::Exact(belief.len() as u64));
+            let listed: Vec<State> = belief.iter().cloned().collect();
+            assert_eq!(diagrams.of_states(&listed).unwrap(), set, "equal sets, equal numbers");
+            let first: BTreeSet<State> = diagrams.first_states(set, 50).into_iter().collect();
+            assert_eq!(first.len(), belief.len().min(50));
+            assert!(first.is_subset(&belief));
+            facts_agree(problem, &diagrams, set, &listed);
+            compared += 1;
+        }
+    }
+    compared
+}
+
+fn facts_agree(problem: &Problem, diagrams: &Diagrams, set: SetId, listed: &[State]) {
+    let task = problem.task();
+    let counts = diagrams.fact_counts(set);
+    for fact in task.facts() {
+        let holding = listed.iter().filter(|state| task.satisfies(state.words(), &[fact])).count();
+        assert_eq!(counts[fact.index()], StateCount::Exact(holding as u64));
+    }
+    for goal in problem.goals() {
+        let holds = |state: &&State| task.satisfies(state.words(), &goal.condition);
+        let holding: Vec<State> = listed.iter().filter(holds).cloned().collect();
+        assert_eq!(diagrams.satisfies(set, &goal.condition), !holding.is_empty());
+        let count = diagrams.count_satisfying(set, &goal.condition);
+        assert_eq!(count, StateCount::Exact(holding.len() as u64));
+    }
+}
+
+#[test]
+fn random_explicit_problems_agree() {
+    let mut dice = Dice::new(11);
+    let mut compared = 0;
+    for _ in 0..2000 {
+        let table = random::table(&mut dice, MEDIUM, &PAIR);
+        compared += compare(&table.problem(), &mut dice, 6, 10_000);
+    }
+    assert!(compared > 10_000, "{compared}");
+}
+
+#[test]
+fn drawn_problems_of_every_domain_agree() {
+    let mut dice = Dice::new(12);
+    for domain in Domain::ALL {
+        let mut compared = 0;
+        for seed in 1..=6 {
+            let problem = domain.draw(seed).unwrap().document.problem().unwrap();
+            compared += compare(&problem, &mut dice, 12, 400);
+        }
+        assert!(compared > 30, "{} {compared}", domain.name());
+    }
+}
+
+#[test]
+fn cameras_and_rules_over_resulting_states_agree() {
+    let mut dice = Dice::new(13);
+    for text in [
+        include_str!("../../../www/problems/camera-zone.json"),
+        include_str!("../../../www/problems/goal-in-sight.json"),
+        include_str!("../../../www/problems/blocks-unseen.json"),
+        include_str!("../../../www/problems/city.json"),
+    ] {
+        let problem = Document::parse(text).unwrap().problem().unwrap();
+        for _ in 0..20 {
+            assert!(compare(&problem, &mut dice, 10, 600) > 0);
+        }
+    }
+}
+
+#[test]
+fn memory_is_bounded() {
+    let problem = Domain::Logistics.draw(1).unwrap().document.problem().unwrap();
+    let observer = &problem.observers()[0];
+    let limits = Limits { bytes: 40_000, ..Limits::default() };
+    let mut diagrams = Diagrams::new(Arc::clone(problem.task()), limits);
+    let mut relations = SymbolRelations::new(problem.task(), &observer.sensor);
+    let mut dice = Dice::new(14);
+    let mut set = diagrams.of_states(&observer.initial_belief).unwrap();
+    let mut actor = problem.task().initial_state().clone();
+    for _ in 0..200 {
+        let mut applicable = Vec::new();
+        problem.task().applicable(actor.words(), &mut applicable);
+        let operator = dice.pick(&applicable);
+        let mut words = actor.words().to_vec();
+        problem.task().apply(operator, &mut words);
+        let symbol = observer.sensor.read(problem.task(), operator, &words);
+        actor = State::from_words(words);
+        match relations.update(&mut diagrams, set, symbol) {
+            Ok(next) => set = next,
+            Err(_) => return,
+        }
+    }
+    panic!("the limit was never met");
+}
