@@ -60,8 +60,8 @@ mod belief;
 pub mod bindings;
 pub mod document;
 pub mod domain;
-/// The paper's experiments, for the command of this package and its tests: no part of the library
-/// that stays as it is.
+// The paper's experiments, for the command of this package and its tests: no part of the library
+// that stays as it is.
 #[cfg(all(feature = "full", not(target_arch = "wasm32")))]
 #[doc(hidden)]
 pub mod experiment;
