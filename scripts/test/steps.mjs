@@ -25,7 +25,11 @@ const program =
     run(command, args, { ...options, env });
 const cargo = (args, env) => program("cargo", args, env);
 const clippy = (...args) => cargo(["clippy", ...args, "--", "-D", "warnings"]);
-const pythons = { MO_COPP_HIGHS_PYTHON: venvPython, MO_COPP_PYPERPLAN_PYTHON: venvPython };
+const pythons = {
+  MO_COPP_HIGHS_PYTHON: venvPython,
+  MO_COPP_PYPERPLAN_PYTHON: venvPython,
+  MO_COPP_JSONSCHEMA_PYTHON: venvPython,
+};
 const wasmRunner = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: "wasm-bindgen-test-runner" };
 
 /** Cargo lets one command at a time into its folder; everything else is beside it. */

@@ -48,6 +48,8 @@ pub enum Command {
     Import(ImportArgs),
     /// Print what an observer of a PDDL document sees as a table in CSV, or put such a table into the document.
     Sensor(SensorArgs),
+    /// Print the JSON Schema of problem documents, for editors and other programs.
+    Schema,
     /// Print a script that completes the command in a shell.
     Completions(CompletionsArgs),
     /// Print the manual page of the command, or of one of its commands.

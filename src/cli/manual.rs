@@ -1,4 +1,4 @@
-//! `mo-copp completions` and `mo-copp manual`: made from the definitions of the arguments.
+//! `mo-copp schema`, `completions` and `manual`: made from the definitions of documents and of arguments.
 
 use clap::CommandFactory;
 use mo_copp::solver::OptionsError;
@@ -6,6 +6,12 @@ use mo_copp::solver::OptionsError;
 use super::args::{CommandLine, CompletionsArgs, ManualArgs};
 use super::error::CliError;
 use super::print;
+
+/// Prints the JSON Schema of documents; the exit code.
+pub fn schema() -> Result<u8, CliError> {
+    print(&format!("{:#}\n", mo_copp::domain::schema::schema()))?;
+    Ok(0)
+}
 
 /// Prints the completions of a shell; the exit code.
 pub fn completions(args: &CompletionsArgs) -> Result<u8, CliError> {

@@ -51,6 +51,7 @@ pub fn main() -> ExitCode {
         Command::Generate(args) => unless_stopped(move || generate::run(&args)),
         Command::Import(args) => unless_stopped(move || import::run(&args)),
         Command::Sensor(args) => unless_stopped(move || sensor::run(&args)),
+        Command::Schema => manual::schema(),
         Command::Completions(args) => manual::completions(&args),
         Command::Manual(args) => manual::run(&args),
         Command::Experiment(args) => experiment::run_command(&args),

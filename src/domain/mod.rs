@@ -16,6 +16,8 @@ mod observers;
 #[cfg(feature = "full")]
 pub mod pddl;
 pub mod recycling_robot;
+#[cfg(all(feature = "full", not(target_arch = "wasm32")))]
+pub mod schema;
 
 use serde::Serialize;
 

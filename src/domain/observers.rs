@@ -8,6 +8,7 @@ use crate::problem::{MAX_GOALS, ProblemError, Role};
 
 /// Something for each of the two observers.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct Observers<T> {
     /// The enemy's.
     pub adversarial: T,

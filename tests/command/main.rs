@@ -11,6 +11,7 @@ mod generate;
 mod import;
 mod interrupt;
 mod plan;
+mod schema;
 mod sensor;
 mod solve;
 mod trace;

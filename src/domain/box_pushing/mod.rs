@@ -32,16 +32,18 @@ const LEFT: &str = "turn-left";
 const RIGHT: &str = "turn-right";
 
 /// The actions, in the order of the paper.
-const ACTIONS: [&str; 4] = [FORWARD, STAY, LEFT, RIGHT];
+pub(super) const ACTIONS: [&str; 4] = [FORWARD, STAY, LEFT, RIGHT];
 
 /// A `box-pushing` document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct BoxPushing {
     /// Columns.
     pub width: u32,
     /// Rows.
     pub height: u32,
     /// Cells that neither robot nor box can enter.
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(default))]
     pub walls: Vec<Cell>,
     /// How it begins.
     pub start: BoxState,
@@ -55,6 +57,7 @@ pub struct BoxPushing {
 
 /// A state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct BoxState {
     /// Where the robot stands.
     pub robot: Cell,

@@ -24,6 +24,7 @@ pub const MAX_PACKAGES: usize = 64;
 
 /// A `delivery` document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct Delivery {
     /// The factories and their packages.
     pub factories: Vec<Factory>,
@@ -37,6 +38,7 @@ pub struct Delivery {
 
 /// A factory.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct Factory {
     /// Its name.
     pub name: String,
@@ -46,6 +48,7 @@ pub struct Factory {
 
 /// An observer of a delivery.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct DeliveryObserver {
     /// What it sees.
     pub sensor: DeliverySymbols,
@@ -53,6 +56,7 @@ pub struct DeliveryObserver {
 
 /// The symbols an observer sees.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct DeliverySymbols {
     /// When a package is loaded.
     pub load: LoadSymbols,
@@ -112,5 +116,16 @@ impl Delivery {
                 cooperative: sensor(LoadSymbols::Each(vec![barcode("A"), barcode("B")])),
             },
         }
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl schemars::JsonSchema for LoadSymbols {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "LoadSymbols".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({"anyOf": [{"type": "string"}, {"type": "object", "additionalProperties": {"type": "string"}}]})
     }
 }

@@ -12,6 +12,7 @@ use super::Observers;
 
 /// An `explicit` document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct Explicit {
     /// The names of the states.
     pub states: Vec<String>,
@@ -31,6 +32,7 @@ pub struct Explicit {
 
 /// A candidate goal: to be in one of these states.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct ExplicitGoal {
     /// Its name.
     pub name: String,
@@ -40,6 +42,7 @@ pub struct ExplicitGoal {
 
 /// An observer of an explicit problem.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct ExplicitObserver {
     /// States the actor could be in at first; the initial state alone when left out.
     #[serde(skip_serializing_if = "Option::is_none")]

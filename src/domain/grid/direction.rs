@@ -5,6 +5,7 @@ use serde::Serialize;
 /// One of the four ways to go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub enum Direction {
     /// Up.
     North,

@@ -26,6 +26,7 @@ pub type Cell = [u32; 2];
 
 /// A candidate goal: something is in a cell.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct GridGoal {
     /// Its name.
     pub name: String,
@@ -35,12 +36,14 @@ pub struct GridGoal {
 
 /// An observer. `S` is how its format writes states.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct GridObserver<S> {
     /// The states that are possible at first; the start alone when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub initial_belief: Option<Vec<S>>,
     /// Cells in which the observer sees the robot exactly.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(default))]
     pub cameras: Vec<Cell>,
     /// The symbol of each action.
     pub sensor: Symbols,

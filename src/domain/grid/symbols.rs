@@ -91,3 +91,14 @@ impl Serialize for Symbols {
         map.end()
     }
 }
+
+#[cfg(not(target_arch = "wasm32"))]
+impl schemars::JsonSchema for Symbols {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Symbols".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({"type": "object", "additionalProperties": {"type": "string"}})
+    }
+}

@@ -18,18 +18,20 @@ use super::grid::{Cell, GridGoal, GridObserver, Symbols};
 pub const MAX_SIDE: u32 = 256;
 
 /// The moves, which are the four directions.
-const MOVES: [&str; 4] = ["north", "south", "east", "west"];
+pub(super) const MOVES: [&str; 4] = ["north", "south", "east", "west"];
 /// The action of an agent that stays where it is.
-const STAY: &str = "stay";
+pub(super) const STAY: &str = "stay";
 
 /// A `gridworld` document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct Gridworld {
     /// Columns.
     pub width: u32,
     /// Rows.
     pub height: u32,
     /// Cells that nobody can enter.
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(default))]
     pub walls: Vec<Cell>,
     /// Where the agent starts.
     pub start: Cell,
@@ -38,6 +40,7 @@ pub struct Gridworld {
     /// The name of the true one.
     pub true_goal: String,
     /// Whether the agent may also stay where it is.
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(default))]
     pub stay: bool,
     /// What the two observers believe and see.
     pub observers: Observers<GridObserver<Cell>>,

@@ -28,6 +28,7 @@ use super::Observers;
 
 /// A `pddl` document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct Pddl {
     /// The domain, in PDDL.
     pub domain: PddlText,
@@ -43,6 +44,7 @@ pub struct Pddl {
 
 /// A candidate goal.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct PddlGoal {
     /// Its name.
     pub name: String,
@@ -52,12 +54,17 @@ pub struct PddlGoal {
 
 /// An observer of a PDDL task.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct PddlObserver {
     /// The states the actor could be in at first; the initial state alone when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub initial_belief: Option<PddlBelief>,
     /// Objects that look alike, by the name under which the observer sees them.
     #[serde(skip_serializing_if = "Vec::is_empty", serialize_with = "as_object")]
+    #[cfg_attr(
+        not(target_arch = "wasm32"),
+        schemars(default, with = "std::collections::BTreeMap<String, Vec<String>>")
+    )]
     pub groups: Vec<(String, Vec<String>)>,
     /// What the observer sees of each operator.
     pub sensor: PddlSensor,
@@ -66,6 +73,7 @@ pub struct PddlObserver {
 /// What an observer believes before the first step.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub enum PddlBelief {
     /// All states that can be reached from the initial one and satisfy a condition.
     Reachable(String),
@@ -77,6 +85,7 @@ pub enum PddlBelief {
 /// A believed state.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub enum PddlState {
     /// All atoms that hold; those that no action changes may be left out.
     Atoms(Vec<String>),
@@ -84,9 +93,11 @@ pub enum PddlState {
     Change {
         /// Atoms that hold as well.
         #[serde(skip_serializing_if = "Vec::is_empty")]
+        #[cfg_attr(not(target_arch = "wasm32"), schemars(default))]
         add: Vec<String>,
         /// Atoms that do not hold.
         #[serde(skip_serializing_if = "Vec::is_empty")]
+        #[cfg_attr(not(target_arch = "wasm32"), schemars(default))]
         delete: Vec<String>,
     },
 }
@@ -94,6 +105,7 @@ pub enum PddlState {
 /// How an observer sees operators.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub enum PddlSensor {
     /// One template for all operators.
     Template(String),
@@ -111,6 +123,7 @@ pub enum PddlSensor {
 
 /// A rule of a sensor.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct PddlRule {
     /// Which operators: `*`, a lifted name, or `(name ARGUMENT…)`.
     pub operator: String,

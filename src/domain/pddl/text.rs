@@ -50,3 +50,14 @@ impl Serialize for PddlText {
         }
     }
 }
+
+#[cfg(not(target_arch = "wasm32"))]
+impl schemars::JsonSchema for PddlText {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "PddlText".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]})
+    }
+}

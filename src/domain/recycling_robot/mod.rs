@@ -35,16 +35,19 @@ const CHARGE: &str = "charge";
 const STAY: &str = "stay";
 
 /// The actions, in the order of the paper.
-const ACTIONS: [&str; 8] = ["north", "south", "east", "west", PICK_UP, DROP, CHARGE, STAY];
+pub(super) const ACTIONS: [&str; 8] =
+    ["north", "south", "east", "west", PICK_UP, DROP, CHARGE, STAY];
 
 /// A `recycling-robot` document.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct RecyclingRobot {
     /// Columns.
     pub width: u32,
     /// Rows.
     pub height: u32,
     /// Cells that the robot cannot enter.
+    #[cfg_attr(not(target_arch = "wasm32"), schemars(default))]
     pub walls: Vec<Cell>,
     /// Where the battery can be charged.
     pub charger: Cell,
@@ -63,6 +66,7 @@ pub struct RecyclingRobot {
 
 /// A state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(not(target_arch = "wasm32"), derive(schemars::JsonSchema))]
 pub struct RobotState {
     /// Where the robot stands.
     pub robot: Cell,
@@ -121,5 +125,16 @@ impl RecyclingRobot {
                 sides[0], sides[1], sides[0], sides[1], picking, dropping, picking, dropping,
             ]),
         }
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+impl schemars::JsonSchema for Can {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Can".into()
+    }
+
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({"anyOf": [{"const": HELD}, {"type": "array", "items": {"type": "integer", "minimum": 0}, "minItems": 2, "maxItems": 2}]})
     }
 }
