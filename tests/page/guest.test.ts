@@ -35,6 +35,7 @@ test("the theme is the page's: by its color-scheme, its tool's switch, or the at
       const root = "document.documentElement";
       const body = "document.body";
       const switches: [on: string, off: string][] = [
+        [`${body}.style.background = "#191919"`, `${body}.style.background = "#fff"`],
         [`${root}.style.colorScheme = "dark"`, `${root}.style.colorScheme = ""`],
         [`${root}.style.colorScheme = "light dark"`, `${root}.style.colorScheme = "light"`],
         [`${root}.dataset.bsTheme = "dark"`, `delete ${root}.dataset.bsTheme`],

@@ -119,7 +119,7 @@ const FOLDERS: Table = &[
         ],
     ),
     ("frame", &["element"]),
-    ("entry", &["element", "frame"]),
+    ("entry", &["element", "frame", "stage"]),
 ];
 
 /// The module of a file: the first name below `src/`.

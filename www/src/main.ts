@@ -16,6 +16,8 @@ import "./style/share.css";
 import "./style/help.css";
 import "./style/steps.css";
 import "./style/text.css";
-import "./style/views.css";
 import "./element/view.js";
 import "./embed.js";
+import { bringViewStyles } from "./stage/view-styles.js";
+
+bringViewStyles(() => import("./style/views.css"));

@@ -1,5 +1,5 @@
 // Light or dark: as the attribute `theme` says, or as the page is. Pages say it by their computed color-scheme, or by
-// the switch of the tool that they are made with.
+// the switch of the tool that they are made with; where a page says nothing, its ground does.
 
 export const themes = ["light", "dark", "auto"] as const;
 type Scheme = "light" | "dark";
@@ -72,8 +72,12 @@ export class Theme {
         if (light.test(value)) return "light";
       }
     }
-    const parent = ancestors(this.host)[0] ?? document.documentElement;
-    return fromColorScheme(getComputedStyle(parent).colorScheme, this.system?.matches === true);
+    const around = ancestors(this.host);
+    const said = getComputedStyle(around[0] ?? document.documentElement).colorScheme;
+    const own = document.querySelector<HTMLMetaElement>("meta[name=color-scheme]")?.content ?? "";
+    const words = said === "normal" ? own : said;
+    // Slides are often dark without saying so.
+    return words === "" ? groundOf(around) : fromColorScheme(words, this.system?.matches === true);
   }
 }
 
@@ -95,10 +99,24 @@ function around(element: Element): Element | null {
   return parent instanceof ShadowRoot ? parent.host : element.parentElement;
 }
 
-/** A page that says nothing is light, whatever the system: so is what the browser draws of it. */
-function fromColorScheme(computed: string, systemDark: boolean): Scheme {
-  const own = document.querySelector<HTMLMetaElement>("meta[name=color-scheme]")?.content ?? "";
-  const words = (computed === "normal" ? own : computed).split(/\s+/);
+function fromColorScheme(said: string, systemDark: boolean): Scheme {
+  const words = said.split(/\s+/);
   if (!words.includes("dark")) return "light";
   return words.includes("light") && !systemDark ? "light" : "dark";
+}
+
+/** Of 255: a ground that is darker is better met by light text. */
+const DARK = 80;
+
+/** As dark as what is painted behind it; a page that paints nothing is light, whatever the system. */
+function groundOf(around: readonly Element[]): Scheme {
+  for (const element of around) {
+    const [red = 0, green = 0, blue = 0, alpha = 1] = (
+      getComputedStyle(element).backgroundColor.match(/^rgba?\((.*)\)$/)?.[1] ?? "0, 0, 0, 0"
+    )
+      .split(/[\s,/]+/)
+      .map(Number);
+    if (alpha > 0.5) return 0.2126 * red + 0.7152 * green + 0.0722 * blue < DARK ? "dark" : "light";
+  }
+  return "light";
 }

@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals-core";
 import type { Scene } from "../core.js";
 import type { View } from "./view.js";
+import { loadViewStyles } from "./view-styles.js";
 
 type Views = (scene: Scene) => View;
 
@@ -15,8 +16,8 @@ export function loadViews(): void {
   if (asked) return;
   asked = true;
   failed.value = false;
-  import("./views.js").then(
-    ({ viewOf }) => {
+  Promise.all([import("./views.js"), loadViewStyles()]).then(
+    ([{ viewOf }]) => {
       loaded.value = viewOf;
     },
     () => {
