@@ -5,7 +5,7 @@
 //! `:action-costs`; anything else is refused by its name. Names are in small letters.
 //!
 //! - [`read_domain`] and [`read_task`] read the two files of a task, [`read_condition`] and
-//!   [`read_state`] further conditions and states over its objects, [`Pattern`] patterns over its
+//!   [`read_state`] further conditions and states over its objects, `Pattern` patterns over its
 //!   operators,
 //! - [`ground`](ground()) makes a [`Task`](crate::task::Task) of them that holds what can be reached.
 //!
@@ -45,28 +45,17 @@ mod split;
 mod types;
 mod unchanging;
 
-pub use atom::{Atom, LiftedAtom, Term};
-pub use condition::{Condition, MAX_CONDITION};
-pub use cost::{CostTerm, FunctionValues, Functions, MAX_COST};
-pub use definition::{
-    TaskDefinition, read_atoms, read_condition, read_literals, read_open_task, read_state,
-    read_task,
-};
+pub use atom::Atom;
+pub use condition::Condition;
+pub use definition::{TaskDefinition, read_condition, read_state, read_task};
 pub use domain::{Domain, read_domain};
-pub use effect::ConditionalEffect;
 pub use error::PddlError;
 pub use expression::MAX_DEPTH;
-pub use formula::{Bound, Formula};
-pub use ground::{
-    ExtraInputs, GroundError, Grounded, MAX_ATOMS, MAX_LITERALS_IN_ALL, MAX_OPERATORS,
-    MAX_STATE_BYTES, ground,
-};
-pub use ground_formula::GroundFormula;
-pub use join::MAX_JOIN_STEPS;
-pub use literals::{Literals, MAX_LITERALS};
-pub use object::{ObjectId, Objects};
-pub use pattern::{Group, Pattern};
-pub use predicate::{PredicateId, Predicates};
-pub use schema::{MAX_PARAMETERS, Parameters, Schema};
-pub use types::{MAX_ALTERNATIVES, MAX_TYPES, TypeId, TypeSet, Types};
-pub use unchanging::unchanging;
+pub use ground::{ExtraInputs, GroundError, Grounded, ground};
+
+pub(crate) use definition::{read_atoms, read_literals, read_open_task};
+pub(crate) use formula::Formula;
+pub(crate) use pattern::{Group, Pattern};
+pub(crate) use schema::Schema;
+pub(crate) use types::TypeId;
+pub(crate) use unchanging::unchanging;
