@@ -168,7 +168,7 @@ impl Problem {
     pub fn solve(&self, options: SolveOptionsJs) -> Result<Run, JsValue> {
         let Request { options, old_names } = self.request(&options)?;
         let run = solver::Run::new(Arc::clone(&self.problem), options);
-        Ok(Run { run: run.map_err(|e| error::solve(&e))?, old_names, milliseconds: 0.0 })
+        Ok(Run { solving: run.map_err(|e| error::solve(&e))?, old_names, milliseconds: 0.0 })
     }
 
     /// Gets ready to say why a run with these options found no plan, and which change of one option
@@ -195,7 +195,7 @@ impl Problem {
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Run {
-    run: solver::Run,
+    solving: solver::Run,
     old_names: bool,
     milliseconds: f64,
 }
@@ -205,20 +205,20 @@ impl Run {
     /// Works for about this many expansions or nodes; true when there is an answer.
     pub fn advance(&mut self, budget: u32) -> Result<bool, JsValue> {
         let begin = now();
-        let done = self.run.advance(budget.into());
+        let done = self.solving.advance(budget.into());
         self.milliseconds += now() - begin;
         done.map_err(|e| error::solve(&e))
     }
 
     /// What is known so far.
     pub fn progress(&self) -> Result<ProgressJs, JsValue> {
-        to_js(&ProgressReport::new(self.run.problem(), &self.run.progress()))
+        to_js(&ProgressReport::new(self.solving.problem(), &self.solving.progress()))
     }
 
     /// The answer; of a run that is stopped here, with the best plan found.
     pub fn outcome(&mut self) -> Result<OutcomeJs, JsValue> {
-        let outcome = self.run.outcome().map_err(|e| error::solve(&e))?;
-        let mut report = SolveReport::new(self.run.problem(), &outcome);
+        let outcome = self.solving.outcome().map_err(|e| error::solve(&e))?;
+        let mut report = SolveReport::new(self.solving.problem(), &outcome);
         report.stats.seconds = Some(self.milliseconds / 1000.0);
         let report = if self.old_names { report.with_old_names() } else { report };
         to_js(&report)

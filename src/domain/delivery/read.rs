@@ -51,7 +51,7 @@ fn observer(reader: &Reader<'_>) -> Result<DeliveryObserver, DocumentError> {
             let entry = |(name, symbol): (&str, Reader<'_>)| {
                 Ok((name.to_owned(), symbol.name()?.to_owned()))
             };
-            LoadSymbols::Each(load.entries()?.all().map(entry).collect::<Result<_, _>>()?)
+            LoadSymbols::Each(load.entries()?.named()?.map(entry).collect::<Result<_, _>>()?)
         }
         _ => return Err(load.expected("a symbol, or an object with a symbol for each factory")),
     };
