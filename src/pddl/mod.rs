@@ -55,6 +55,7 @@ pub use ground::{ExtraInputs, GroundError, Grounded, ground};
 
 pub(crate) use definition::{read_atoms, read_literals, read_open_task};
 pub(crate) use formula::Formula;
+pub(crate) use object::ObjectId;
 pub(crate) use pattern::{Group, Pattern};
 pub(crate) use schema::Schema;
 pub(crate) use types::TypeId;
