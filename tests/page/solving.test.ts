@@ -338,7 +338,7 @@ test("a core that can't be loaded is reported", () =>
   visit(
     async ({ page }) => {
       await statusIs(page, "error");
-      await page.getByRole("alert").filter({ hasText: "The solver stopped unexpectedly" }).waitFor();
+      await page.getByRole("alert").filter({ hasText: "The solver could not be started" }).waitFor();
     },
     { before: (page) => page.route("**/*.wasm", (route) => route.abort()), quiet: false },
   ));

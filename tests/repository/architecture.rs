@@ -224,6 +224,10 @@ fn modules_use_only_what_their_arrows_allow() {
     let mut seen = Vec::new();
     for path in &paths {
         let Some(from) = module(path) else { continue };
+        // Tests may use anything, in a file of their own as well.
+        if path.ends_with("tests.rs") {
+            continue;
+        }
         let used = uses(&std::fs::read_to_string(path).unwrap());
         seen.extend(used.into_iter().map(|to| (path.as_path(), from.clone(), to)));
         seen.push((path, from.clone(), from));
