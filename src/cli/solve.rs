@@ -28,7 +28,13 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
         .with_pairs(args.pairs || args.pareto)
         .with_limits(limits.with_nodes(args.limits.nodes.unwrap_or(u64::MAX)));
     options.lengths = args.lengths;
-    options.check(&problem)?;
+    options.check(&problem).map_err(|mut error| {
+        // By the name that was given.
+        if error.option == "pairs" && args.pareto && !args.pairs {
+            error.option = "pareto";
+        }
+        error
+    })?;
     say_unused(args);
     let progress::Solved { outcome, seconds, stop } = progress::solve_watched(&problem, &options)?;
     let advice = remedy::advise(&problem, &options, &outcome, &stop)?;

@@ -81,13 +81,16 @@ pub fn read_request(text: &str, problem: &Problem) -> Result<Request, DocumentEr
     };
     let (pairs, pareto) = (asked("pairs")?, asked("pareto")?);
     options.pairs = pairs || pareto;
+    let old_names = pareto && !pairs;
     if let Some(lengths) = fields.optional("lengths") {
         options.lengths = Some(steps(&lengths)?);
     }
     options.check(problem).map_err(|OptionsError { option, found, expected }| {
+        // By the name that was given.
+        let option = if option == "pairs" && old_names { "pareto" } else { option };
         DocumentError::invalid(option, found, expected)
     })?;
-    Ok(Request { options, old_names: pareto && !pairs })
+    Ok(Request { options, old_names })
 }
 
 fn one_of<T: Copy>(

@@ -264,6 +264,7 @@ fn arguments() {
         (&["--encoding", "magic"], "found magic, expected one of paper, belief-flow"),
         (&["--solver", "ip", "--horizon", "any"], "horizon: found any, expected a number of steps"),
         (&["--solver", "ip", "--pareto"], "pareto: found the solver ip, expected the solver exact"),
+        (&["--solver", "ip", "--pairs"], "pairs: found the solver ip, expected the solver exact"),
         (&["--require", "adversarial"], "require: found \"adversarial\", expected ROLE:GOAL"),
         (
             &["--require", "spy:G1"],

@@ -12,6 +12,7 @@ type Arrows = (&'static str, &'static [&'static str]);
 /// What is asked, what is answered, and what an engine is.
 const CONTRACTS: &[Arrows] = &[
     ("options", &[]),
+    ("setters", &["options"]),
     ("outcome", &["options"]),
     ("engine", &["outcome"]),
     ("error", &["options"]),
