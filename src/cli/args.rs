@@ -121,7 +121,7 @@ pub struct ImportArgs {
     /// Objects that look alike to the friend. May be given several times.
     #[arg(long, value_name = "NAME=OBJECTS")]
     pub cooperative_group: Vec<String>,
-    /// The true goal: the hypothesis of this number in hyps.dat, from 1, in place of that of real_hyp.dat.
+    /// The true goal: the hypothesis of this number in hyps.dat, from 1. That of the problem when left out.
     #[arg(long, value_name = "N", conflicts_with = "all")]
     pub true_goal: Option<usize>,
     /// One document for each hypothesis as true goal: one a line, or files G1.json, G2.json, … in the folder --out.

@@ -76,7 +76,9 @@ pub(super) fn regress(
     for draft in drafts.iter_mut() {
         let cases = draft.cases.iter().flat_map(|case| case.add.iter().chain(&case.delete));
         let numbers = touched(&mut draft.add.iter().chain(&draft.delete).chain(cases));
-        numbers.iter().for_each(|&number| set(draft, &all[number]));
+        for number in numbers {
+            set(draft, &all[number]);
+        }
     }
     let mut kept = Vec::with_capacity(operators.len());
     for operator in operators.drain(..) {
@@ -86,7 +88,9 @@ pub(super) fn regress(
             continue;
         }
         let mut draft = Draft::of(operator);
-        numbers.iter().for_each(|&number| set(&mut draft, &all[number]));
+        for number in numbers {
+            set(&mut draft, &all[number]);
+        }
         drafts.push(draft);
     }
     *operators = kept;

@@ -19,7 +19,7 @@ use super::draft::{Draft, remove_relaxed};
 use super::exclusive::Exclusive;
 use super::invariant::candidates;
 use super::object::ObjectId;
-use super::operators::{GroundOperator, Operators, Possible, cost_of, keep_possible, operators};
+use super::operators::{Candidates, GroundOperator, Possible, cost_of, keep_possible, operators};
 use super::reach::{object, reach};
 use super::rule::Rule;
 use super::split::split;
@@ -179,7 +179,7 @@ pub fn ground(
         std::iter::once(&task.initial).chain(&extra.states).map(Vec::as_slice).collect();
     let initial: Vec<&Atom> = states.iter().copied().flatten().collect();
     let reached = reach(domain, &rules, &task.objects, &initial)?;
-    let Operators { mut atoms, mut operators, mut drafts } =
+    let Candidates { mut atoms, plain: mut operators, mut drafts } =
         operators(domain, task, &rules, reached)?;
     let conditions: Vec<&Condition> =
         std::iter::once(&task.goal).chain(&extra.conditions).collect();
@@ -203,7 +203,9 @@ pub fn ground(
             set
         })
         .collect();
-    drafts.iter().for_each(|draft| draft.relaxed(&mut operators));
+    for draft in &drafts {
+        draft.relaxed(&mut operators);
+    }
     let mut possible = keep_possible(&mut operators, atoms.len(), &initial);
     remove_relaxed(&mut operators);
     let drafts: Vec<Draft> =
@@ -307,6 +309,15 @@ impl<'a> Facts<'a> {
         self.meaning(facts, positive.chain(negative))
     }
 
+    /// The cases of an action exclude each other by what must hold in one and fail in another.
+    fn exclude_negations(&self, facts: &[Fact], builder: &mut TaskBuilder) {
+        for (&(atom, negated), &fact) in self.literals.iter().zip(facts) {
+            if let (true, Some(&number)) = (negated, self.numbers.get(&(atom, false))) {
+                builder.exclusive(vec![facts[number], fact]);
+            }
+        }
+    }
+
     fn task(
         &self,
         domain: &Domain,
@@ -321,16 +332,10 @@ impl<'a> Facts<'a> {
         let mut facts = Vec::with_capacity(self.literals.len());
         for &(atom, negated) in &self.literals {
             let (predicate, objects) = self.atoms.get(atom);
-            let mut name = "(".to_owned();
-            match predicate.index().checked_sub(domain.predicates.len()) {
-                None => name += domain.predicates.name(predicate),
-                Some(number) => name += &format!("disjunction {}", number + 1),
-            }
-            for &object in objects {
-                name.push(' ');
-                name.push_str(definition.objects.name(object));
-            }
-            name.push(')');
+            let mut name = match predicate.index().checked_sub(domain.predicates.len()) {
+                None => written(domain.predicates.name(predicate), objects, definition),
+                Some(number) => format!("(disjunction {})", number + 1),
+            };
             if negated {
                 name = format!("(not {name})");
             }
@@ -360,12 +365,7 @@ impl<'a> Facts<'a> {
                 .iter()
                 .map(|&term| object(term, &operator.instance.values))
                 .collect();
-            let mut name = "(".to_owned() + &domain.schemas[rule.schema].name;
-            for &argument in &arguments {
-                name.push(' ');
-                name.push_str(definition.objects.name(argument));
-            }
-            name.push(')');
+            let name = written(&domain.schemas[rule.schema].name, &arguments, definition);
             let action = builder.action(&name);
             builder.operator(&name, &pre, &add, &delete);
             if action.index() < instances.len() {
@@ -383,13 +383,8 @@ impl<'a> Facts<'a> {
             numbers(&set, false, &mut group);
             builder.exclusive(group);
         }
-        // The cases of an action exclude each other by what must hold in one and fail in another.
-        for (&literal, &fact) in self.literals.iter().zip(&facts).filter(|_| several) {
-            if let ((atom, true), Some(&number)) = (literal, self.numbers.get(&(literal.0, false)))
-            {
-                debug_assert_eq!(self.literals[number].0, atom);
-                builder.exclusive(vec![facts[number], fact]);
-            }
+        if several {
+            self.exclude_negations(&facts, &mut builder);
         }
         let mut meanings = conditions
             .iter()
@@ -432,4 +427,15 @@ impl<'a> Facts<'a> {
             task,
         })
     }
+}
+
+/// A name with objects behind it, as PDDL writes atoms and operators.
+fn written(name: &str, objects: &[ObjectId], definition: &TaskDefinition) -> String {
+    let mut text = "(".to_owned() + name;
+    for &object in objects {
+        text.push(' ');
+        text.push_str(definition.objects.name(object));
+    }
+    text.push(')');
+    text
 }

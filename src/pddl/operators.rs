@@ -27,9 +27,9 @@ pub(super) struct GroundOperator {
 
 /// Atoms, the operators over them, and drafts of more.
 #[derive(Debug)]
-pub(super) struct Operators {
+pub(super) struct Candidates {
     pub atoms: AtomTable,
-    pub operators: Vec<GroundOperator>,
+    pub plain: Vec<GroundOperator>,
     pub drafts: Vec<Draft>,
 }
 
@@ -47,7 +47,7 @@ pub(super) fn operators(
     task: &TaskDefinition,
     rules: &[Rule<'_>],
     reached: Reached,
-) -> Result<Operators, GroundError> {
+) -> Result<Candidates, GroundError> {
     let Reached { atoms, instances, .. } = reached;
     let may_change = may_change(domain);
     let mut drafts = Vec::new();
@@ -99,7 +99,7 @@ pub(super) fn operators(
         }
         drafts.push(draft);
     }
-    Ok(Operators { atoms, operators, drafts })
+    Ok(Candidates { atoms, plain: operators, drafts })
 }
 
 /// What an instance costs; none where a function has no value.

@@ -140,7 +140,7 @@ impl Split<'_> {
         self.check()?;
         if !fails {
             match open {
-                Some(atom) => self.both(atom, |split| split.precondition())?,
+                Some(atom) => self.both(atom, Self::precondition)?,
                 None => self.effects(0)?,
             }
         }

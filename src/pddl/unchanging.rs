@@ -6,7 +6,7 @@ use super::atom::Atom;
 use super::definition::TaskDefinition;
 use super::domain::Domain;
 use super::ground::GroundError;
-use super::operators::{Operators, operators};
+use super::operators::{Candidates, operators};
 use super::reach::reach;
 use super::rule::Rule;
 
@@ -38,9 +38,9 @@ pub fn unchanging(
         .collect();
     let initial: Vec<&Atom> = task.initial.iter().chain(more).collect();
     let reached = reach(domain, &rules, &task.objects, &initial)?;
-    let Operators { atoms, operators, drafts } = operators(domain, task, &rules, reached)?;
+    let Candidates { atoms, plain, drafts } = operators(domain, task, &rules, reached)?;
     let mut changed: FxHashSet<u32> = FxHashSet::default();
-    for operator in &operators {
+    for operator in &plain {
         changed.extend(operator.add.iter().chain(&operator.delete));
     }
     for draft in &drafts {

@@ -79,10 +79,10 @@ pub fn read_import_options(text: &str) -> Result<ImportOptions, DocumentError> {
     let fields = Reader::new(&json).fields(&KEYS)?;
     let mut options = ImportOptions::default();
     if let Some(sensor) = fields.optional("adversarial_sensor") {
-        options.adversarial_sensor = sensor.text()?.to_owned();
+        sensor.text()?.clone_into(&mut options.adversarial_sensor);
     }
     if let Some(sensor) = fields.optional("cooperative_sensor") {
-        options.cooperative_sensor = sensor.text()?.to_owned();
+        sensor.text()?.clone_into(&mut options.cooperative_sensor);
     }
     options.adversarial_groups = groups(&fields, "adversarial_groups")?;
     options.cooperative_groups = groups(&fields, "cooperative_groups")?;

@@ -30,7 +30,8 @@ fn files() -> Vec<ImportFile> {
 /// The files with another text in one of them.
 fn with(name: &str, text: &str) -> Vec<ImportFile> {
     let mut files = files();
-    files.iter_mut().find(|file| file.name.ends_with(name)).unwrap().text = text.to_owned();
+    let changed = files.iter_mut().find(|file| file.name.ends_with(name)).unwrap();
+    text.clone_into(&mut changed.text);
     files
 }
 

@@ -219,7 +219,9 @@ impl World {
                 changes[usize::from(*add)].insert((*predicate, objects(terms, values)));
             }
             Effect::And(parts) => {
-                parts.iter().for_each(|part| self.change(part, values, state, changes));
+                for part in parts {
+                    self.change(part, values, state, changes);
+                }
             }
             Effect::When(condition, inner) => {
                 if self.holds(condition, values, state) {

@@ -251,9 +251,10 @@ impl<'a> Eye<'a> {
 
     /// What would give an operator a symbol.
     fn expected_symbol(&self) -> &'static str {
-        match self.table.is_empty() {
-            true => "a rule that matches it",
-            false => "it in the table, or a rule that matches it",
+        if self.table.is_empty() {
+            "a rule that matches it"
+        } else {
+            "it in the table, or a rule that matches it"
         }
     }
 

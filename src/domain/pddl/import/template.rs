@@ -4,6 +4,8 @@ use super::{ImportError, ImportFile, tidy};
 
 const MARK: &str = "<hypothesis>";
 
+const EXPECTED: &str = "(:goal (and <HYPOTHESIS>))";
+
 /// A template, read.
 #[derive(Debug)]
 pub(super) struct Template {
@@ -29,7 +31,6 @@ impl Template {
                 expected: expected.to_owned(),
             }
         };
-        const EXPECTED: &str = "(:goal (and <HYPOTHESIS>))";
         // What stands in a comment is no part of the problem.
         let code = |offset: usize| {
             let line = small[..offset].rfind('\n').map_or(0, |newline| newline + 1);
