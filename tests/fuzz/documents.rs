@@ -1,5 +1,6 @@
 //! Problem documents: values moved, doubled, left out, and taken from other documents.
 
+use std::fmt::Write;
 use std::sync::Arc;
 
 use mo_copp::domain::Document;
@@ -54,7 +55,9 @@ impl Target for Documents {
                 }
             }
             let outcome = run.outcome().unwrap();
-            said += &format!(", {:?} {}", outcome.status, outcome.goal_difference.is_some());
+            let has_plan = outcome.goal_difference.is_some();
+            // Writing to a text cannot fail.
+            let _ = write!(said, ", {:?} {has_plan}", outcome.status);
         }
         said
     }

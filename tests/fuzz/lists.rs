@@ -66,10 +66,10 @@ fn change_at(dice: &mut Dice, nodes: &mut Vec<Node>, at: &mut usize, given: &Nod
     }
     *at -= 1;
     for node in nodes {
-        if let Node::List(items) = node {
-            if change_at(dice, items, at, given) {
-                return true;
-            }
+        if let Node::List(items) = node
+            && change_at(dice, items, at, given)
+        {
+            return true;
         }
     }
     false
