@@ -83,7 +83,7 @@ fn what_may_still_come_is_never_ruled_out_and_on_single_facts_nothing_else_is_op
                 if exact {
                     assert_eq!(found, truly, "case {case}");
                 } else {
-                    coarse += (found != truly) as usize;
+                    coarse += usize::from(found != truly);
                 }
             }
         }

@@ -91,6 +91,6 @@ fn text(problem: &Problem, plan: &Plan) -> Result<(String, bool), PlanError> {
         let _ = writeln!(text, "cost: {cost}");
     }
     let _ = writeln!(text, "the plan {end} the true goal {goal}");
-    let _ = writeln!(text, "goal difference: {:.3}", difference);
+    let _ = writeln!(text, "goal difference: {difference:.3}");
     Ok((text, reaches_goal))
 }
