@@ -4,7 +4,6 @@
 import { realpath, stat } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join, relative, resolve, sep } from "node:path";
-import send from "send";
 
 /** Types that the tables of `send` do not have. */
 const types = { ".jsonl": "application/jsonl; charset=utf-8" };
@@ -48,6 +47,8 @@ async function answer(folder, base, request, response) {
 
   // The path is asked for as it would stand in an address.
   const address = file.split(sep).map(encodeURIComponent).join("/");
+  // Loaded here: npm packages may not be there before set-up has run.
+  const { default: send } = await import("send");
   send(request, address, { root: await realpath(folder), index: false, cacheControl: false })
     .on("headers", (headed, name) => {
       headed.setHeader("Cache-Control", "no-cache");

@@ -5,6 +5,7 @@
 mod architecture;
 mod examples;
 mod floors;
+mod fresh_clone;
 mod papers;
 
 use std::path::{Path, PathBuf};
