@@ -1,6 +1,6 @@
 // The element as one file, dist/mo-copp-playground.single.js: a classic script with the worker and the whole core inside.
 import { readFileSync } from "node:fs";
-import { gzipSync } from "node:zlib";
+import { compress } from "lzma1";
 import { build } from "vite";
 import { dist, inRoot } from "../lib/paths.mjs";
 import { stylesInElement } from "./styles.mjs";
@@ -54,11 +54,14 @@ function core() {
   const id = "virtual:core";
   return {
     name: "core",
-    resolveId: (source) => (source === id ? `\0${id}` : null),
+    resolveId(source) {
+      if (source === "virtual:lzma") return this.resolve("lzma1", inRoot("package.json"));
+      return source === id ? `\0${id}` : null;
+    },
     load(found) {
       if (found !== `\0${id}`) return null;
       const bytes = readFileSync(inRoot("www", "pkg", "mo_copp_bg.wasm"));
-      return `export default ${JSON.stringify(gzipSync(bytes, { level: 9 }).toString("base64"))};`;
+      return `export default ${JSON.stringify(Buffer.from(compress(new Uint8Array(bytes), 9)).toString("base64"))};`;
     },
   };
 }

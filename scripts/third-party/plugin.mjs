@@ -1,4 +1,5 @@
 // What the page is made of that others wrote: `THIRD-PARTY.txt` in the built site, which its footer leads to.
+import { inRoot } from "../lib/paths.mjs";
 import { crates } from "./crates.mjs";
 import { npmPackages } from "./packages.mjs";
 
@@ -21,6 +22,9 @@ export function written(entries) {
   return `${[begin, ...lines, ...numbered].join("\n\n")}`;
 }
 
+/** What the element as one file holds beside what the page does; it is built by itself. */
+const inOneFile = [inRoot("node_modules", "lzma1", "lib", "index.js")];
+
 /** Two plugins of Vite: one for the page, one for its workers, which are bundled by themselves. */
 export function thirdParty() {
   const modules = new Set();
@@ -36,7 +40,7 @@ export function thirdParty() {
       apply: "build",
       generateBundle(options, bundle) {
         collect(options, bundle);
-        const source = written([...npmPackages(modules), ...crates()]);
+        const source = written([...npmPackages([...modules, ...inOneFile]), ...crates()]);
         this.emitFile({ type: "asset", fileName: "THIRD-PARTY.txt", source });
       },
     },

@@ -29,7 +29,7 @@ test("every package of the page and every crate of the core is named with its li
     .map(({ name }: Dependency) => name);
   assert(direct.includes("microlp") && direct.includes("wasm-bindgen"), direct.join());
   // What they are made of in their turn.
-  const indirect = ["lit-html", "@lit/reactive-element", "@lezer/common", "ndarray", "serde_core"];
+  const indirect = ["lzma1", "lit-html", "@lit/reactive-element", "@lezer/common", "ndarray", "serde_core"];
   for (const name of [...Object.keys(dependencies), ...direct, ...indirect, "The Rust standard library"]) {
     const entry = entryOf(name) ?? assert.fail(`no word of ${name}`);
     assert.match(entry, /\n {2}licence: [A-Z]/, name);
