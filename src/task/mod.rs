@@ -123,12 +123,14 @@ impl Task {
         &self.layout
     }
 
-    /// The groups of facts of which at most one holds in any state (see [`TaskBuilder::exclusive`]); a
-    /// fact that excludes no other is a group of its own. Linear in the number of facts.
+    /// The groups of facts of which at most one holds in any state (see [`TaskBuilder::exclusive`]), each
+    /// in the order of its facts; a fact that excludes no other is a group of its own.
     pub fn exclusive_groups(&self) -> Vec<Vec<Fact>> {
-        (0..self.layout.group_count())
-            .map(|group| self.layout.facts_of_group(group).to_vec())
-            .collect()
+        let mut groups = vec![Vec::new(); self.layout.group_count()];
+        for fact in self.facts() {
+            groups[self.layout.group(fact)].push(fact);
+        }
+        groups
     }
 
     /// Packs a set of facts into a state.

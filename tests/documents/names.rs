@@ -111,6 +111,16 @@ fn every_name_and_symbol_is_held_to_it() {
     check(
         pddl::example(),
         &[(
+            Put(
+                "/observers/cooperative/sensor",
+                "{\"table\": [[\"(walk hall office)\", \"x\\u200b\"]], \"otherwise\": \"{name}\"}",
+            ),
+            &hidden("observers.cooperative.sensor.table[0][1]"),
+        )],
+    );
+    check(
+        pddl::example(),
+        &[(
             Put("/observers/cooperative/groups", "{\"x\\u200b\": []}"),
             &hidden("observers.cooperative.groups"),
         )],

@@ -31,6 +31,10 @@ fn text(reader: &Reader<'_>) -> Result<String, DocumentError> {
     reader.text().map(str::to_owned)
 }
 
+fn name(reader: &Reader<'_>) -> Result<String, DocumentError> {
+    reader.name().map(str::to_owned)
+}
+
 fn texts(reader: &Reader<'_>) -> Result<Vec<String>, DocumentError> {
     reader.list(text)
 }
@@ -38,7 +42,7 @@ fn texts(reader: &Reader<'_>) -> Result<Vec<String>, DocumentError> {
 fn goal(reader: &Reader<'_>) -> Result<PddlGoal, DocumentError> {
     let fields = reader.fields(&["name", "condition"])?;
     Ok(PddlGoal {
-        name: fields.required("name", "the goal's name")?.name()?.to_owned(),
+        name: name(&fields.required("name", "the goal's name")?)?,
         condition: text(&fields.required("condition", "a condition, as in (and (on a b))")?)?,
     })
 }
@@ -86,7 +90,7 @@ fn state(reader: &Reader<'_>) -> Result<PddlState, DocumentError> {
 fn sensor(reader: &Reader<'_>) -> Result<PddlSensor, DocumentError> {
     let Json::Object(_) = reader.value() else { return by_rule(reader) };
     let fields = reader.fields(&["table", "otherwise"])?;
-    let row = |row: &Reader<'_>| match row.list(text)?.as_slice() {
+    let row = |row: &Reader<'_>| match row.list(name)?.as_slice() {
         [operator, symbol] => Ok((operator.clone(), symbol.clone())),
         _ => Err(row.expected("an operator and its symbol, as in [\"(stack a b)\", \"a noise\"]")),
     };
@@ -97,7 +101,7 @@ fn sensor(reader: &Reader<'_>) -> Result<PddlSensor, DocumentError> {
 
 fn by_rule(reader: &Reader<'_>) -> Result<PddlSensor, DocumentError> {
     match reader.value() {
-        Json::Text(_) => text(reader).map(PddlSensor::Template),
+        Json::Text(_) => name(reader).map(PddlSensor::Template),
         Json::Array(_) => reader.list(rule).map(PddlSensor::Rules),
         _ => Err(reader.expected("a template of symbols, or a list of rules")),
     }
@@ -108,6 +112,6 @@ fn rule(reader: &Reader<'_>) -> Result<PddlRule, DocumentError> {
     Ok(PddlRule {
         operator: text(&fields.required("operator", "a pattern, as in (stack ?x ?y)")?)?,
         result: fields.optional("result").map(|r| text(&r)).transpose()?,
-        symbol: fields.required("symbol", "a template of the symbol")?.name()?.to_owned(),
+        symbol: name(&fields.required("symbol", "a template of the symbol")?)?,
     })
 }
