@@ -17,10 +17,6 @@ use crate::task::{Fact, State, Task};
 /// take at first).
 pub(super) const LISTED_STATES: usize = 20_000;
 
-/// The most levels of a diagram: the work on it goes as deep as it has levels. Tasks with more groups of facts list all
-/// states.
-const MOST_LEVELS: usize = 1000;
-
 /// A set of states that an observer holds possible, in one of two forms with the same answers.
 #[derive(Debug, Clone)]
 pub struct TracedBelief(Form);
@@ -130,7 +126,8 @@ impl TracedBelief {
         facts
     }
 
-    /// The belief after a symbol. A list that would grow beyond `most` states becomes a diagram.
+    /// The belief after a symbol. A list that would grow beyond `most` states becomes a diagram; the caller asks for that
+    /// only where diagrams suit the task.
     pub(super) fn update(
         &mut self,
         task: &Arc<Task>,
@@ -140,8 +137,6 @@ impl TracedBelief {
         most: usize,
     ) -> Result<(), LimitReached> {
         if let Form::Listed(states) = &mut self.0 {
-            let may_grow = task.layout().group_count() > MOST_LEVELS;
-            let most = if may_grow { usize::MAX } else { most };
             let mut next: FxHashSet<Box<[u64]>> = FxHashSet::default();
             for state in &*states {
                 if next.len() > most {

@@ -20,6 +20,7 @@ pub use validator::{Achievement, InvalidPlan, validate};
 use belief::LISTED_STATES;
 
 use crate::belief::StateCount;
+use crate::belief::diagram::suits;
 use crate::goal_difference::GoalSet;
 use crate::plan::{Plan, PlanError, execute};
 use crate::problem::{Observer, Problem};
@@ -127,7 +128,8 @@ impl<'a> Replay<'a> {
         let first = |observer: &Observer| TracedBelief::listed(observer.initial_belief.clone());
         let beliefs = problem.observers().iter().map(first).collect();
         let operators = OperatorsByFact::new(task);
-        let listed = LISTED_STATES;
+        // Where no diagram is affordable, all beliefs are listed.
+        let listed = if suits(task) { LISTED_STATES } else { usize::MAX };
         Ok(Self { problem, operators, path, states, at: 0, beliefs, listed })
     }
 

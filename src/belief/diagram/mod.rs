@@ -16,5 +16,5 @@ pub mod store;
 mod tests;
 
 pub use measure::StateCount;
-pub use relation::SymbolRelations;
+pub use relation::{SymbolRelations, suits};
 pub use store::{Diagrams, SetId};

@@ -130,6 +130,31 @@ impl Step {
     }
 }
 
+/// The most values that the maps of a task's operators list together (four bytes each, and as much again while relations are
+/// made).
+const MOST_MAPPED_VALUES: usize = 4_000_000;
+
+/// The most levels of a diagram: work on it goes as deep as it has levels.
+const MOST_LEVELS: usize = 1000;
+
+/// Whether a task is of the kind that diagrams are for: many groups of few facts. An operator lists what it does to each
+/// value of each group that it touches, which is too much where groups are as large as a wide grid.
+pub fn suits(task: &Task) -> bool {
+    let layout = task.layout();
+    if layout.group_count() > MOST_LEVELS {
+        return false;
+    }
+    let mut values = 0_usize;
+    for operator in task.operators() {
+        let touched = operator.preconditions.iter().chain(&operator.add).chain(&operator.delete);
+        values += touched.map(|&fact| layout.group_size(layout.group(fact)) + 1).sum::<usize>();
+        if values > MOST_MAPPED_VALUES {
+            return false;
+        }
+    }
+    true
+}
+
 impl SymbolRelations {
     /// The relations of a sensor. Linear in the operators times the levels, and in the cases of the sensor times the facts
     /// they look at.

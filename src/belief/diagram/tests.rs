@@ -129,6 +129,18 @@ fn cameras_and_rules_over_resulting_states_agree() {
 }
 
 #[test]
+fn groups_as_large_as_a_wide_grid_are_not_for_diagrams() {
+    for domain in Domain::ALL {
+        let problem = domain.draw(1).unwrap().document.problem().unwrap();
+        assert!(super::suits(problem.task()), "{}", domain.name());
+    }
+    let wide =
+        crate::domain::gridworld::GridworldShape { width: 256, height: 256, ..Default::default() };
+    let problem = wide.generate(1).unwrap().document.problem().unwrap();
+    assert!(!super::suits(problem.task()));
+}
+
+#[test]
 fn memory_is_bounded() {
     let problem = Domain::Logistics.draw(1).unwrap().document.problem().unwrap();
     let observer = &problem.observers()[0];
