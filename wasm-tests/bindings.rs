@@ -177,7 +177,7 @@ fn options_that_do_not_fit_throw() {
         ),
         (
             r#"{"solver": "chess"}"#,
-            "solver: found \"chess\", expected one of exact, ip, search, baseline, obfuscate, legible",
+            "solver: found \"chess\", expected one of exact, ip, search, satisficing, baseline, obfuscate, legible",
         ),
     ] {
         let error = solve(&problem, options).unwrap_err();
