@@ -78,7 +78,7 @@ fn texts_keys_and_goals() {
         ),
         (
             Put("/goals/1/condition", "\"(or (has red) (had blue))\""),
-            "goals[1].condition, line 1, column 16: found the undeclared predicate \"had\", expected a predicate of the domain: at, in, door, has",
+            "goals[1].condition, line 1, column 16: found the undeclared predicate \"had\", expected a predicate of the domain: at, door, in, has",
         ),
         (
             Put("/goals/1/condition", "\"(in ?x archive)\""),
@@ -148,7 +148,11 @@ fn rules() {
         ),
         (
             Put("/observers/adversarial/sensor", "{}"),
-            "observers.adversarial.sensor: found {}, expected a template of symbols, or a list of rules",
+            "observers.adversarial.sensor.table: found nothing, expected a list of operators with their symbols",
+        ),
+        (
+            Put("/observers/adversarial/sensor", "7"),
+            "observers.adversarial.sensor: found 7, expected a template of symbols, or a list of rules",
         ),
         (
             Put("/observers/adversarial/sensor", "[]"),

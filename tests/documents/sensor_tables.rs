@@ -63,7 +63,7 @@ fn bad_tables() {
         ),
         (
             json!({"table": [], "otherwise": {"table": []}}),
-            "observers.cooperative.sensor.otherwise: found {\"table\": []}, expected a template of symbols, or a list of rules",
+            "observers.cooperative.sensor.otherwise: found {\"table\": …}, expected a template of symbols, or a list of rules",
         ),
         (
             json!({"table": [], "otherwise": [{"operator": "run", "symbol": "x"}]}),

@@ -245,20 +245,30 @@ fn either_everywhere() {
 fn features_of_other_sets() {
     let base = "(define (domain d) (:requirements :strips) (:types t) (:predicates (p ?x - t))
  (:action a :parameters (?x - t) :precondition (p ?x) :effect (not (p ?x))))";
+    for (from, to) in [
+        (":strips", ":strips :adl"),
+        (":strips", ":action-costs"),
+        (":strips", ":conditional-effects"),
+        (":strips", ":quantified-preconditions"),
+        ("(:predicates", "(:functions (total-cost) - number) (:predicates"),
+        (":effect (not (p ?x))", ":effect (forall (?y - t) (not (p ?y)))"),
+        (":effect (not (p ?x))", ":effect (when (p ?x) (not (p ?x)))"),
+        (":precondition (p ?x)", ":precondition (or (p ?x))"),
+        (":precondition (p ?x)", ":precondition (exists (?y - t) (p ?y))"),
+        (":precondition (p ?x)", ":precondition (imply (p ?x) (p ?x))"),
+    ] {
+        assert!(base.contains(from), "{from}");
+        assert_eq!(domain_error(&base.replacen(from, to, 1)), "no error", "{to}");
+    }
     for (from, to, feature) in [
-        (":strips", ":strips :adl", ":adl"),
-        (":strips", ":action-costs", ":action-costs"),
-        (":strips", ":conditional-effects", ":conditional-effects"),
         (":strips", ":fluents", ":fluents"),
         (":strips", ":durative-actions", ":durative-actions"),
-        (":strips", ":quantified-preconditions", ":quantified-preconditions"),
-        ("(:predicates", "(:functions (total-cost) - number) (:predicates", ":action-costs"),
-        (":effect (not (p ?x))", ":effect (and (increase (total-cost) 1))", ":action-costs"),
-        (":effect (not (p ?x))", ":effect (forall (?y - t) (not (p ?y)))", ":universal"),
-        (":effect (not (p ?x))", ":effect (when (p ?x) (not (p ?x)))", ":conditional-effects"),
-        (":precondition (p ?x)", ":precondition (or (p ?x))", ":disjunctive-preconditions"),
-        (":precondition (p ?x)", ":precondition (exists (?y - t) (p ?y))", ":existential"),
-        (":precondition (p ?x)", ":precondition (imply (p ?x) (p ?x))", ":disjunctive"),
+        (":strips", ":preferences", ":preferences"),
+        (":effect (not (p ?x))", ":effect (and (increase (total-cost) 1))", "total-cost"),
+        (":effect (not (p ?x))", ":effect (assign (f ?x) 1)", ":numeric-fluents"),
+        (":precondition (p ?x)", ":precondition (preference q (p ?x))", ":preferences"),
+        (":precondition (p ?x)", ":precondition (< (f ?x) 1)", ":numeric-fluents"),
+        ("(:action a", "(:derived (p ?x) (p ?x)) (:action a", ":derived-predicates"),
         ("(:action a", "(:axiom :vars (?x) :context (p ?x)) (:action a", ":derived-predicates"),
     ] {
         assert!(base.contains(from), "{from}");
@@ -271,8 +281,8 @@ fn features_of_other_sets() {
     assert!(read_task(&domain, task).is_ok());
     for (from, to, feature) in [
         ("(:init (p o))", "(:init (= (total-cost) 0))", ":action-costs"),
-        ("(:goal", "(:metric minimize (total-cost)) (:goal", ":action-costs"),
-        ("(:goal (not (p o)))", "(:goal (forall (?x - t) (p ?x)))", ":universal"),
+        ("(:goal", "(:metric minimize (total-cost)) (:goal", "total-cost"),
+        ("(:goal", "(:metric minimize (fuel)) (:goal", ":numeric-fluents"),
         ("(:goal", "(:constraints (and)) (:goal", ":constraints"),
         ("(p o)))", "(preference x (p o))))", ":preferences"),
     ] {
