@@ -23,7 +23,10 @@ const EXAMPLES: [(&str, usize, usize, usize); 7] = [
 fn each_is_of_the_size_of_the_paper_and_solved_within_its_bounds() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
-    let files: BTreeSet<String> = files.map(|name| name.into_string().unwrap()).collect();
+    let files: BTreeSet<String> = files
+        .map(|name| name.into_string().unwrap())
+        .filter(|name| name.ends_with(".json"))
+        .collect();
     let named: BTreeSet<String> =
         EXAMPLES.iter().map(|(name, ..)| format!("{name}.json")).collect();
     assert_eq!(files, named);
