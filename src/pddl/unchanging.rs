@@ -16,18 +16,6 @@ use super::rule::Rule;
 /// # Errors
 ///
 /// [`GroundError`] where a limit is met.
-///
-/// ```
-/// use mo_copp::pddl::{read_domain, read_task, unchanging};
-/// let domain = read_domain(
-///     "(define (domain d) (:constants a b) (:predicates (p ?x)) (:action go :effect (p a)))",
-/// )?;
-/// let task = "(define (problem t) (:domain d) (:init (p a) (p b)) (:goal (p a)))";
-/// let task = read_task(&domain, task)?;
-/// let left = unchanging(&domain, &task, &[])?;
-/// assert_eq!(left, [task.initial[1].clone()]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 pub fn unchanging(
     domain: &Domain,
     task: &TaskDefinition,
@@ -50,4 +38,22 @@ pub fn unchanging(
     let stays =
         |atom: &&Atom| atoms.find_atom(atom).is_none_or(|number| !changed.contains(&number));
     Ok(task.initial.iter().filter(stays).cloned().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pddl::{read_domain, read_task};
+
+    #[test]
+    fn an_atom_that_no_operator_changes_is_left() {
+        let domain = read_domain(
+            "(define (domain d) (:constants a b) (:predicates (p ?x)) (:action go :effect (p a)))",
+        )
+        .unwrap();
+        let task = "(define (problem t) (:domain d) (:init (p a) (p b)) (:goal (p a)))";
+        let task = read_task(&domain, task).unwrap();
+        let left = unchanging(&domain, &task, &[]).unwrap();
+        assert_eq!(left, [task.initial[1].clone()]);
+    }
 }
