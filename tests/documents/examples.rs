@@ -25,7 +25,7 @@ fn each_is_of_the_size_of_the_paper_and_solved_within_its_bounds() {
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
     let files: BTreeSet<String> = files
         .map(|name| name.into_string().unwrap())
-        .filter(|name| name.ends_with(".json"))
+        .filter(|name| std::path::Path::new(name).extension().is_some_and(|end| end == "json"))
         .collect();
     let named: BTreeSet<String> =
         EXAMPLES.iter().map(|(name, ..)| format!("{name}.json")).collect();
