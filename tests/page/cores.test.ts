@@ -203,7 +203,7 @@ test("a full core that can't be loaded is said to be so, leaves the problem as i
       await network(page, true);
       await useDocument(page, rooms());
       await statusIs(page, "optimal");
-      await page.waitForFunction(`document.querySelectorAll("[data-cell]").length === 0`);
+      await page.waitForFunction(() => document.querySelectorAll("[data-cell]").length === 0);
     },
     { quiet: false },
   ));

@@ -42,7 +42,7 @@ test("a walk by keys shows what both observers make of every step, and is compar
     const best = solve(example, { solver: "exact", horizon: plan.length }).outcome;
     await takeOver(page);
     // The keys work at once: the board has the focus.
-    await page.waitForFunction(`document.activeElement?.matches('[role="application"].walkable') ?? false`);
+    await page.waitForFunction(() => document.activeElement?.matches('[role="application"].walkable') ?? false);
     for (const [index, action] of plan.entries()) {
       await page.keyboard.press(arrows[action] ?? assert.fail());
       await stepIs(page, index + 1);

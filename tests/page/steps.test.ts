@@ -87,7 +87,7 @@ test("the steps are saved for a spreadsheet", () =>
     const lines = text.trimEnd().split("\r\n");
     assert.equal(lines.length, 18);
     assert.equal(lines[1], "0,,,3,,,1,,");
-    assert.equal(lines[17], "16,east,horizontal,16,G1; G2; G3; G4,north-east,1,G1,1");
+    assert.equal(lines[17], "16,north,vertical,24,G1; G2; G3; G4,north-east,1,G1,1");
   }));
 
 test("no name becomes a formula or another field of the spreadsheet", () => {
@@ -151,11 +151,11 @@ test("each step is said once, in words, when one has come to rest", () =>
           });
       });
       await press(page, "Back one step");
-      const { symbols, beliefs, goals } = trace.steps[15] ?? assert.fail();
+      const { action, symbols, beliefs, goals } = trace.steps[15] ?? assert.fail();
       const survive = (names: string[]) =>
         names.length === 0 ? "no goal is possible now" : names.length === 1 ? `goal ${names[0]} is possible` : null;
       const words =
-        `Step 15, east: the enemy saw ${symbols.adversarial}, ${beliefs.adversarial.length} states left, ` +
+        `Step 15, ${action}: the enemy saw ${symbols.adversarial}, ${beliefs.adversarial.length} states left, ` +
         `${survive(goals.adversarial)}; the friend saw ${symbols.cooperative}, ` +
         `${beliefs.cooperative.length === 1 ? "1 state" : `${beliefs.cooperative.length} states`} left, ${survive(goals.cooperative)}.`;
       await said(page).getByText(words, { exact: true }).waitFor({ state: "attached" });
