@@ -283,7 +283,7 @@ test("it tells the page of steps and answers", () =>
     await page.waitForSelector('#one[data-step="4"]');
     const [name, , detail] = (await told()).at(-1) ?? assert.fail();
     assert.equal(name, "mo-copp-step");
-    assert.deepEqual([detail.step, detail.steps, detail.action], [4, 5, "west"]);
+    assert.deepEqual([detail.step, detail.steps, detail.action], [4, 5, "east"]);
     assert.equal((await told()).length, 3);
   }));
 

@@ -88,6 +88,8 @@ test("the sign goes when the file is dragged away again", () =>
 test("what is no single document is said, and the page stays as it was", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
+    // Where a problem that is opened again is shown as well.
+    await press(page, "Last step");
     const before = await drawn(page);
     const file = { name: "a.json", text: grid() };
     const cases: [Dropped, RegExp][] = [
