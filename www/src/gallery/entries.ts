@@ -78,7 +78,10 @@ export const entries: readonly Entry[] = [
     title: "One step too far",
     about:
       "In a narrow corridor the enemy hears only the turn at the end. One step past the door and back, and it may have been any of four doors.",
-    plans: [{ title: "Straight there", plan: ["east", "east", "north"] }, { title: "Past and back" }],
+    plans: [
+      { title: "Straight there", plan: ["east", "east", "north"] },
+      { title: "Past and back", plan: ["east", "east", "east", "west", "north"] },
+    ],
   },
   {
     name: "three-rooms",
