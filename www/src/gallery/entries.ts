@@ -191,7 +191,7 @@ export const entries: readonly Entry[] = [
     name: "logistics",
     title: "Trucks and an airplane",
     about:
-      "Two packages fly to the other city. Loading one truck with both, and driving another for nothing, leaves the enemy three of five goals.",
+      "Two packages fly to the other city. Loading both onto the truck there, and bringing one of them back, leaves the enemy three of five goals.",
     plans: [
       {
         title: "Straight there",
@@ -202,7 +202,17 @@ export const entries: readonly Entry[] = [
           ...["(unload-truck p1 truck2 place2)", "(unload-airplane p2 plane1 airport2)"],
         ],
       },
-      { title: "For nothing" },
+      {
+        title: "For nothing",
+        plan: [
+          ...["(load-airplane p2 plane1 airport1)", "(load-airplane p1 plane1 airport1)"],
+          ...["(fly-airplane plane1 airport1 airport2)", "(unload-airplane p2 plane1 airport2)"],
+          ...["(unload-airplane p1 plane1 airport2)", "(load-truck p2 truck2 airport2)"],
+          ...["(load-truck p1 truck2 airport2)", "(drive-truck truck2 airport2 place2)"],
+          ...["(unload-truck p1 truck2 place2)", "(drive-truck truck2 place2 airport2)"],
+          "(unload-truck p2 truck2 airport2)",
+        ],
+      },
     ],
   },
   {
@@ -220,7 +230,16 @@ export const entries: readonly Entry[] = [
           ...["(board-truck driver1 truck1 s3)", "(drive-truck truck1 s3 s2 driver1)"],
         ],
       },
-      { title: "Unload last" },
+      {
+        title: "Unload last",
+        plan: [
+          ...["(load-truck p1 truck2 s1)", "(load-truck p2 truck2 s1)", "(board-truck driver1 truck2 s1)"],
+          ...["(drive-truck truck2 s1 s2 driver1)", "(unload-truck p1 truck2 s2)"],
+          ...["(leave-truck driver1 truck2 s2)", "(walk driver1 s2 f2-3)", "(walk driver1 f2-3 s3)"],
+          ...["(board-truck driver1 truck1 s3)", "(drive-truck truck1 s3 s2 driver1)"],
+          "(unload-truck p2 truck2 s2)",
+        ],
+      },
     ],
   },
 ];
