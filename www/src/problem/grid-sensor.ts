@@ -54,6 +54,8 @@ export function setSymbol(
   move: Move,
   text: string,
 ): GridworldDocument | string {
+  // A move that the agent does not have gives no symbol.
+  if (!movesOf(document).includes(move)) return document;
   const symbol = tidied(text);
   if (symbol === "") return `A symbol for ${move} is needed; give moves the same one to make them look the same.`;
   return withObserver(document, role, (observer) => ({ ...observer, sensor: { ...observer.sensor, [move]: symbol } }));
