@@ -69,7 +69,9 @@ test("what has another shape, another version or another sender is ignored", () 
   visit(async ({ page }) => {
     await around(page);
     const frame = page.frameLocator("iframe");
-    await frame.locator('mo-copp-playground[data-status="optimal"][data-step="5"]').waitFor();
+    await frame.locator('mo-copp-playground[data-status="optimal"]').waitFor();
+    await say(page, { ...ours, command: "step", step: 5 });
+    await frame.locator('mo-copp-playground[data-step="5"]').waitFor();
     for (const message of [
       "step",
       null,

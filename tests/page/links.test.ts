@@ -306,6 +306,7 @@ test("the address waits while something is dragged or played, and is written sel
   visit(
     async ({ page }) => {
       await statusIs(page, "optimal");
+      await press(page, "Last step");
       await addressHolds(page, ({ step }) => step === 16);
       const writes = () => page.evaluate(() => (window as unknown as { writes: number[] }).writes.length);
       const before = await writes();

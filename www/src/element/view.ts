@@ -19,7 +19,7 @@ import { readState, type SharedState, stateOf } from "../share/shared-state.js";
 import { Announcer, announcement } from "../stage/announcement.js";
 import { goalList } from "../stage/goal-list.js";
 import { legend } from "../stage/legend.js";
-import { stage } from "../stage/stage.js";
+import { type StageStores, stage } from "../stage/stage.js";
 import { stepper } from "../stage/stepper.js";
 import { followSymbols } from "../stage/symbols.js";
 import { optionsOf } from "../state/form.js";
@@ -61,6 +61,8 @@ export class View {
   private readonly keys: PageKeys;
   private readonly picture: LiveRender;
   private readonly tour: Tour;
+  /** What the boards are drawn with, where there is a tour of them and where there is none. They keep what is open by it. */
+  private readonly onStage: { toured: StageStores; alone: StageStores };
   /** Rows that got narrower have moved what was in sight. */
   private readonly sizes = new ResizeObserver(() => followSymbols(this.root));
   private readonly notifier: Notifier;
@@ -95,6 +97,7 @@ export class View {
     );
     this.notifier = new Notifier(this.playground, host);
     this.tour = new Tour(root);
+    this.onStage = { toured: { ...this.playground, tour: this.tour }, alone: { ...this.playground, tour: null } };
     this.seen = keepInSight(root);
   }
 
@@ -264,7 +267,7 @@ export class View {
         }
       </div>
       ${show("gallery", () => held(playground, () => problemBar(playground, link())))} ${show("tools", () => toolbar(playground))}
-      ${stage({ ...playground, tour: toured ? this.tour : null })}
+      ${stage(toured ? this.onStage.toured : this.onStage.alone)}
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
       ${
         hidden.has("workbench") && hidden.has("goals")
