@@ -20,7 +20,7 @@ export function stepper({ timeline, boards: { mode } }: StepperStores): Template
   // Not `disabled`: a button that has the focus when its end is reached would lose it, and the keys with it.
   const button = (label: string, sign: TemplateResult, atEnd: boolean, action: () => void, kind = "") =>
     html`<button type="button" class="sign ${kind}" aria-label=${label} title=${label} aria-disabled=${String(atEnd)} @click=${action}>${sign}</button>`;
-  return html`<section class="stepper" part="stepper" aria-label="Steps" @keydown=${keys(timeline)}>
+  return html`<div class="stepper" part="stepper" role="group" aria-label="Steps" @keydown=${keys(timeline)}>
     <div class="buttons">
       ${button("First step", first, step === 0, () => timeline.goTo(0), "jump")}
       ${button("Back one step", back, step === 0, () => timeline.goTo(step - 1))}
@@ -43,7 +43,7 @@ export function stepper({ timeline, boards: { mode } }: StepperStores): Template
         ${speeds.map((speed) => html`<option value=${speed} ?selected=${speed === timeline.speed.value}>${speedNames[speed]}</option>`)}
       </select>
     </label>
-  </section>`;
+  </div>`;
 }
 
 /** The slider has these keys of itself; here they work from the buttons too. */
