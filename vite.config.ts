@@ -1,6 +1,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { documentation } from "./scripts/documentation/plugin.mjs";
+import { learn } from "./scripts/learn/plugin.mjs";
 import { stylesInElement } from "./scripts/page/styles.mjs";
 import { thirdParty } from "./scripts/third-party/plugin.mjs";
 
@@ -25,7 +26,7 @@ export default defineConfig({
   root: here("www"),
   // Relative addresses: the page works under any sub-path.
   base: "./",
-  plugins: [policyInBuildOnly(), stylesInElement(), documentation(), licences.page],
+  plugins: [policyInBuildOnly(), stylesInElement(), documentation(), learn(), licences.page],
   // One script that is a module worker on its own host and a classic one elsewhere.
   worker: { format: "iife", plugins: () => [licences.worker] },
   build: {
@@ -39,7 +40,14 @@ export default defineConfig({
     rollupOptions: {
       // The element's class and helpers are for other modules, too.
       preserveEntrySignatures: "allow-extension",
-      input: { index: here("www/index.html"), embed: here("www/embed.html"), [EMBED]: here("www/src/embed.ts") },
+      // Licences, documents and the article's pictures are made by plugins.
+      checks: { pluginTimings: false },
+      input: {
+        index: here("www/index.html"),
+        embed: here("www/embed.html"),
+        learn: here("www/learn/index.html"),
+        [EMBED]: here("www/src/embed.ts"),
+      },
       output: {
         entryFileNames: ({ name }) => (name === EMBED ? "[name].js" : "assets/[name]-[hash].js"),
       },

@@ -119,7 +119,8 @@ const FOLDERS: Table = &[
         ],
     ),
     ("frame", &["element"]),
-    ("entry", &["element", "frame", "stage"]),
+    ("learn", &[]),
+    ("entry", &["element", "frame", "learn", "stage"]),
 ];
 
 /// The module of a file: the first name below `src/`.

@@ -1,0 +1,377 @@
+// The article: what it claims is what the core finds, its words drive its figures, and it can be read by everyone, without
+// scripts and in print.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { automaton, trimmed } from "../../scripts/learn/automaton.mjs";
+import { documentOf, figureNames, planOf, plansOf } from "../../scripts/learn/figures.mjs";
+import { assertNoBarrier } from "./support/barriers.js";
+import { type Options, visit } from "./support/browser.js";
+import { assertClaim, numberWords } from "./support/claims.js";
+import { replay } from "./support/core.js";
+import { address } from "./support/site.js";
+
+const article = `${address}learn/index.html`;
+
+const read = (use: (page: Page, requests: string[]) => Promise<void>, options: Options = {}) =>
+  visit(async ({ page, requests }) => {
+    requests.length = 0;
+    await page.goto(article);
+    await use(page, requests);
+  }, options);
+
+const unscripted = { javaScriptEnabled: false } as const;
+
+/** Brings a figure near and waits for its picture. */
+async function live(page: Page, name: string): Promise<void> {
+  await page.locator(`#figure-${name}`).scrollIntoViewIfNeeded();
+  await page.waitForSelector(`#${name}[data-step][data-status]:not([data-status="solving"])`);
+}
+
+test("every number and every claim is what the core finds", () =>
+  read(async (page) => {
+    const claims = await page
+      .locator("[data-claim]")
+      .evaluateAll((parts) => parts.map((part) => [part.getAttribute("data-claim") ?? "", part.textContent ?? ""]));
+    assert(claims.length > 120, `${claims.length} claims`);
+    for (const [claim = "", text = ""] of claims) assertClaim(claim, text);
+  }, unscripted));
+
+test("a claim that does not hold is found out", () => {
+  for (const [claim, text] of [
+    ["survivors price plan=dark of=enemy", "3"],
+    ["survivors price plan=dark of=enemy", "many"],
+    ["survivors price plan=dark of=enemy", "4 of 5"],
+    ["difference survivors plan=swerve", "1/3"],
+    ["names survivors plan=straight of=enemy", "E, N"],
+    ["survivors price plan=dark of=enemy < 4", "fewer"],
+    ["status price solver=satisficing k=4 j=2 = solved", "a walk"],
+    ["survivors price plan=dark of=enemy; survivors price plan=dark of=friend", "4"],
+  ] as const)
+    assert.throws(() => assertClaim(claim, text), `${claim}: ${text}`);
+});
+
+/** Numbers that are no claim: what is counted off in the text itself, and years. */
+const uncounted = [
+  /Figures? \d+/g,
+  /\b(?:19|20)\d\d\b/g,
+  /two (?:different beliefs|heads|observers|sets|aims|beliefs|paths|numbers)/gi,
+  /mean of the two|both at once|next to it/g,
+  /three answers to three questions|four packages/g,
+  /the two\b|D1|D2|Twenty minutes|candidates − 1/g,
+];
+
+test("no number of the text is without a claim", () =>
+  read(async (page) => {
+    const texts: string[] = await page.evaluate(() => {
+      const left = "[data-claim], .references, math, figure svg, details, .poster, .about, nav, script, .number, .said";
+      const found: string[] = [];
+      for (const block of document.querySelectorAll("main :is(p, li, td, th, caption)")) {
+        if (block.closest(left) !== null) continue;
+        const copy = block.cloneNode(true) as Element;
+        for (const part of copy.querySelectorAll(left)) part.replaceWith(" ");
+        found.push((copy.textContent ?? "").replaceAll(/\s+/g, " ").trim());
+      }
+      return found;
+    });
+    assert(texts.length > 60);
+    const number = new RegExp(`\\d|\\b(?:${numberWords.slice(2).join("|")})\\b`, "i");
+    const bare = texts
+      .map((text) => uncounted.reduce((rest, pattern) => rest.replaceAll(pattern, ""), text))
+      .filter((text) => number.test(text));
+    assert.deepEqual(bare, []);
+  }, unscripted));
+
+test("each figure says one thing to do and one to notice, and is numbered as the text says", () =>
+  read(async (page) => {
+    const figures = await page.locator("figure.lab").evaluateAll((found) =>
+      found.map((figure) => ({
+        id: figure.id,
+        number: figure.querySelector(".number")?.textContent,
+        words: [...figure.querySelectorAll("figcaption p b:first-child")].map(({ textContent }) => textContent),
+      })),
+    );
+    assert(figures.length >= 10);
+    for (const [index, { id, number, words }] of figures.entries()) {
+      assert.equal(number, `Figure ${index + 1}`, id);
+      assert.deepEqual(
+        words.filter((word) => word?.endsWith(":")),
+        ["Do:", "Notice:"],
+        id,
+      );
+    }
+    const named = await page
+      .locator('main a[href^="#figure-"]')
+      .evaluateAll((links) => links.map((link) => [link.textContent, link.getAttribute("href")?.slice(1)]));
+    for (const [text, id] of named) {
+      assert.equal(text, figures.find((figure) => figure.id === id)?.number, id ?? "");
+    }
+    const shown = new Set(figures.map(({ id }) => id.replace("figure-", "")));
+    const unused = figureNames().filter((name) => !shown.has(name) && !["delivery-mixed", "pause"].includes(name));
+    assert.deepEqual(unused, []);
+  }, unscripted));
+
+test("each link of the text that drives a figure shows the step and the plan that it names", () =>
+  read(async (page) => {
+    const links = page.locator("a[data-mo-copp-for]");
+    const count = await links.count();
+    assert(count >= 25, `${count} links`);
+    for (let index = 0; index < count; index += 1) {
+      const link = links.nth(index);
+      const { figure, plan, step, src } = await link.evaluate((part) => ({
+        figure: part.getAttribute("data-mo-copp-for") ?? "",
+        plan: part.getAttribute("data-mo-copp-set-plan"),
+        step: Number(part.getAttribute("data-mo-copp-set-step")),
+        src: part.getAttribute("data-mo-copp-set-src"),
+      }));
+      await live(page, figure);
+      await link.click();
+      const name = src === null ? figure : src.replace("./figures/", "").replace(".json", "");
+      const actions = plan ?? (await page.locator(`#${figure}`).getAttribute("plan")) ?? "";
+      const trace = replay(documentOf(name), actions.split(","));
+      const expected = trace.steps[step]?.goals;
+      const at = `#${figure}[data-step="${step}"]`;
+      await page.waitForSelector(`${at}[data-gd="${trace.goal_difference}"]`);
+      await page.waitForFunction((link) => link?.getAttribute("aria-current") === "step", await link.elementHandle());
+      for (const [board, alive] of Object.entries(expected ?? assert.fail())) {
+        const shown = page.locator(`${at} [data-board="${board}"] [data-goal][data-${board}="alive"]`);
+        const names = await shown.evaluateAll((goals) => goals.map((goal) => goal.getAttribute("data-goal")));
+        assert.deepEqual([...new Set(names)].sort(), [...alive].sort(), `${figure} ${actions} ${step} ${board}`);
+      }
+    }
+  }));
+
+test("the first figure shows one observer", () =>
+  read(async (page) => {
+    await live(page, "hidden-step");
+    const board = (name: string) => page.locator(`#hidden-step svg[data-board="${name}"]`);
+    assert.deepEqual(
+      [
+        await board("adversarial").isVisible(),
+        await board("actor").isVisible(),
+        await board("cooperative").isVisible(),
+      ],
+      [true, true, false],
+    );
+  }));
+
+test("the automaton grows by the keyboard and says what it has come to", () =>
+  read(async (page) => {
+    const figure = page.locator("#figure-belief-automaton");
+    const layers = automaton("next-door", 5);
+    const rows = () =>
+      figure
+        .locator("svg [data-row]")
+        .evaluateAll((all) => all.filter((row) => !row.classList.contains("later")).length);
+    const said = figure.getByRole("status");
+    const on = figure.getByRole("button", { name: "Grow one step" });
+    await on.focus();
+    for (const [step, { plans, nodes, known }] of layers.entries()) {
+      assert.equal(await rows(), step + 1);
+      const text = (await said.textContent()) ?? "";
+      for (const part of [`${plans} plan`, `${nodes.length} node`, `so far: ${known}.`])
+        assert(text.includes(part), text);
+      assert.equal(await on.getAttribute("aria-disabled"), String(step === layers.length - 1));
+      await page.keyboard.press("Enter");
+    }
+    assert.equal(await rows(), layers.length);
+    await page.keyboard.press("Shift+Tab");
+    await page.keyboard.press("Enter");
+    assert.equal(await rows(), layers.length - 1);
+  }));
+
+test("what is drawn of the automaton is what the core's replays lead to", () =>
+  read(async (page) => {
+    const layers = automaton("next-door", 5);
+    const figure = page.locator("#figure-belief-automaton");
+    const nodes = await figure
+      .locator("[data-node]")
+      .evaluateAll((all) =>
+        all.map((node) => [
+          node.getAttribute("data-node"),
+          node.querySelectorAll(".believed.adversarial").length,
+          node.querySelectorAll(".believed.cooperative").length,
+          node.querySelector(".value")?.textContent ?? null,
+        ]),
+      );
+    const expected = layers.flatMap((layer, row) =>
+      layer.nodes.map(({ plan }, index) => {
+        const { steps, valid } = replay(documentOf("next-door"), plan);
+        const { beliefs, goals } = steps.at(-1) ?? assert.fail();
+        const [enemy, friend] = [goals.adversarial.length, goals.cooperative.length];
+        const value = valid ? `${enemy} − ${friend} = ${enemy - friend}` : null;
+        return [`${row}.${index}`, beliefs.adversarial.length, beliefs.cooperative.length, value];
+      }),
+    );
+    assert.deepEqual(nodes, expected);
+    const arcs = await figure.locator("[data-arc]").count();
+    assert.equal(
+      arcs,
+      layers.reduce((sum, layer) => sum + layer.arcs.length, 0),
+    );
+  }, unscripted));
+
+test("the unit takes the way of the plan that is chosen, to a node of its goal difference", () =>
+  read(async (page) => {
+    const figure = page.locator("#figure-belief-flow");
+    const buttons = figure.getByRole("button");
+    const layers = trimmed(automaton("next-door", 3));
+    assert.equal(await buttons.count(), layers.at(-1)?.plans);
+    const named = new Set(Object.values(plansOf("next-door")).map((plan) => plan.join(", ")));
+    for (const button of await buttons.all()) {
+      await button.click();
+      const plan = (await button.textContent()) ?? "";
+      assert(named.has(plan), plan);
+      assert.equal(await button.getAttribute("aria-pressed"), "true");
+      assert.equal(await figure.locator('[aria-pressed="true"]').count(), 1);
+      const lit = await figure
+        .locator(".arc.lit")
+        .evaluateAll((arcs) => arcs.map((arc) => arc.getAttribute("data-arc")));
+      assert.equal(lit.length, plan.split(", ").length);
+      // Each arc begins where the one before ends.
+      for (const [index, arc] of lit.slice(1).entries()) assert.equal(arc?.split("-")[0], lit[index]?.split("-")[1]);
+      const { goals } = replay(documentOf("next-door"), plan.split(", ")).steps.at(-1) ?? assert.fail();
+      const value = `${goals.adversarial.length} − ${goals.cooperative.length} = `;
+      const end = figure.locator(`[data-node="${lit.at(-1)?.split("-")[1]}"] .value`);
+      assert((await end.textContent())?.startsWith(value), plan);
+      assert((await figure.getByRole("status").textContent())?.includes(value), plan);
+    }
+  }));
+
+test("every link leads somewhere", () =>
+  read(async (page) => {
+    const links = await page
+      .locator("a")
+      .evaluateAll((all) =>
+        all.map((link) => [(link as HTMLAnchorElement).href, link.getAttribute("data-mo-copp-set-src")]),
+      );
+    const text = await page.content();
+    for (const [href = "", src] of links) {
+      if (src) assert.equal((await page.request.get(new URL(src, article).href)).status(), 200, src);
+      if (!href?.startsWith(address)) continue;
+      const [file = "", hash] = href.split("#");
+      if (file !== article) assert.equal((await page.request.get(file)).status(), 200, href);
+      else if (hash) assert(text.includes(`id="${hash}"`), href);
+    }
+    await page.goto(address);
+    await page.getByRole("contentinfo").getByRole("link", { name: "The idea, told with live figures" }).click();
+    await page.waitForURL(article);
+  }, unscripted));
+
+test("before its figures are near, the article is at most 400 kB", () =>
+  read(
+    async (page) => {
+      await page.waitForLoadState("networkidle");
+      assert.equal(await page.locator("mo-copp-playground[data-step]").count(), 0);
+      const sizes: number[] = await page.evaluate(() =>
+        [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")].map(
+          (entry) => (entry as PerformanceResourceTiming).encodedBodySize,
+        ),
+      );
+      const bytes = sizes.reduce((sum, size) => sum + size, 0);
+      assert(sizes.length > 20 && bytes > 100_000, "what was loaded was measured");
+      assert(bytes <= 400_000, `${bytes} bytes`);
+    },
+    { viewport: { width: 1280, height: 500 } },
+  ));
+
+test("without scripts there is a picture of each figure, with words", () =>
+  read(async (page) => {
+    assert.equal(
+      await page
+        .locator("figure.lab")
+        .filter({ has: page.locator(".poster, svg") })
+        .count(),
+      await page.locator("figure.lab").count(),
+    );
+    const pictures = await page.locator(".poster img").evaluateAll((images) =>
+      images.map((image) => ({
+        alt: (image as HTMLImageElement).alt,
+        width: (image as HTMLImageElement).naturalWidth,
+      })),
+    );
+    assert(pictures.length >= 26, `${pictures.length} pictures`);
+    for (const { alt, width } of pictures) assert(alt.length > 10 && width > 0, alt);
+    const [first] = await page
+      .locator("#hidden-step .adversarial img")
+      .evaluateAll((images) => images.map((image) => (image as HTMLImageElement).alt));
+    assert.match(first ?? "", /The enemy believes 4 states possible/);
+    assert.equal(
+      await page
+        .locator(".poster")
+        .evaluateAll((all) => all.filter((poster) => (poster as HTMLElement).offsetHeight === 0).length),
+      0,
+    );
+    assert.equal(await page.locator("svg .later").count(), 0);
+    assert.equal(await page.locator(".arc.lit").count(), planOf("next-door", "past-and-back").length);
+  }, unscripted));
+
+test("in print the automaton is whole, and after it as it was", () =>
+  read(async (page) => {
+    const later = () => page.locator("svg .later").count();
+    const before = await later();
+    assert(before > 0);
+    await page.evaluate(() => {
+      addEventListener("beforeprint", () => {
+        document.body.dataset.printed = String(document.querySelectorAll("svg .later").length);
+      });
+    });
+    const pdf = await page.pdf({ format: "A4" });
+    assert.equal(await page.locator("body").getAttribute("data-printed"), "0");
+    assert.equal(await later(), before);
+    const pages = pdf.toString("latin1").match(/\/Type \/Page\b/g)?.length ?? 0;
+    assert(pages >= 8 && pages <= 20, `${pages} pages`);
+  }));
+
+for (const colorScheme of ["light", "dark"] as const) {
+  for (const width of [1280, 320]) {
+    test(`it can be read by everyone, ${colorScheme}, ${width} px`, () =>
+      read(
+        async (page) => {
+          const wide = () => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+          assert((await wide()) <= 0, `${await wide()} px too wide`);
+          for (const name of ["hidden-step", "delivery", "price", "three-more"]) await live(page, name);
+          assert((await wide()) <= 0, `${await wide()} px too wide with live figures`);
+          await assertNoBarrier(page, "the article");
+        },
+        { colorScheme, viewport: { width, height: 800 } },
+      ));
+  }
+}
+
+test("the keyboard comes to every link and button, and the focus shows", () =>
+  read(async (page) => {
+    const wanted = await page.evaluate(() => {
+      const parts = [...document.querySelectorAll("a, button, summary, [tabindex='0']")].filter((part) =>
+        part.checkVisibility(),
+      );
+      for (const [index, part] of parts.entries()) part.setAttribute("data-wanted", String(index));
+      return parts.length;
+    });
+    const reached = new Set<string>();
+    // The figures become live on the way, and have keys of their own.
+    for (let presses = 0; presses < 600; presses += 1) {
+      await page.keyboard.press("Tab");
+      const { name, outline, light } = await page.evaluate(() => {
+        let part = document.activeElement ?? document.body;
+        const name = part.getAttribute("data-wanted");
+        while (part.shadowRoot?.activeElement) part = part.shadowRoot.activeElement;
+        const light = part === document.activeElement && part !== document.body;
+        return { name, outline: getComputedStyle(part).outlineStyle, light };
+      });
+      if (light) assert.notEqual(outline, "none", `press ${presses}`);
+      if (name === "0" && reached.size > 1) break;
+      if (name !== null) reached.add(name);
+    }
+    const missed = await page
+      .locator("[data-wanted]")
+      .evaluateAll(
+        (parts, names) =>
+          parts
+            .filter((part) => !names.includes(part.getAttribute("data-wanted") ?? ""))
+            .map(({ outerHTML }) => outerHTML),
+        [...reached],
+      );
+    assert.deepEqual(missed, []);
+    assert.equal(reached.size, wanted);
+  }));

@@ -1,0 +1,6 @@
+// The article: what its own drawings do. The playgrounds in it come with `embed.ts`.
+import { flows } from "./learn/flows.js";
+import { grows } from "./learn/grows.js";
+
+for (const drawing of document.querySelectorAll<HTMLElement>("[data-grows]")) grows(drawing);
+for (const drawing of document.querySelectorAll<HTMLElement>("[data-flows]")) flows(drawing);
