@@ -1,4 +1,4 @@
-import type { Outcome, SolveOptions } from "../core/mo_copp.js";
+import type { Outcome, PictureOptions, SolveOptions } from "../core/mo_copp.js";
 
 /** All that a link would hold. */
 export interface SharedState {
@@ -16,6 +16,12 @@ export interface SharedState {
   patience?: number;
 }
 
+/** Without any: all boards of the step shown, with captions, in the playground's own colours. */
+export interface SvgOptions extends Omit<PictureOptions, "animate"> {
+  /** All steps of what is shown, one after another, without end. */
+  walk?: boolean;
+}
+
 export declare class MoCoppPlayground extends HTMLElement {
   /** Settles once the first picture is drawn, or cannot be. */
   readonly ready: Promise<this>;
@@ -29,6 +35,11 @@ export declare class MoCoppPlayground extends HTMLElement {
   goTo(step: number): Promise<void>;
   /** Solves the open problem; rejects with a sentence where the options do not fit. */
   solve(options?: Partial<SolveOptions>): Promise<Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> }>;
+  /**
+   * The step shown as the text of an SVG picture, the same as `mo-copp picture` writes; with `walk` all steps, animated.
+   * Rejects with a sentence where there is nothing to draw, or an option does not fit.
+   */
+  toSVG(options?: SvgOptions): Promise<string>;
 }
 
 /** What a playground is drawn into: search there for `[data-goal]`, `[data-cell]`, `[data-board]`. */

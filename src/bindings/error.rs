@@ -18,6 +18,12 @@ pub(super) fn thrown(name: &str, message: &str) -> JsValue {
     error.into()
 }
 
+/// What the light core throws at what it is built without.
+#[cfg(not(feature = "full"))]
+pub(super) fn needs_full_core(message: &str) -> JsValue {
+    thrown(NEEDS_FULL_CORE, message)
+}
+
 /// A `PlanError`.
 pub(super) fn plan(error: &PlanError) -> JsValue {
     thrown("PlanError", &error.to_string())

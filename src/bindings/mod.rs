@@ -30,10 +30,9 @@ use crate::solver;
 use crate::solver::remedy;
 use crate::trace::{elimination, trace};
 use error::thrown;
-#[cfg(feature = "full")]
-use types::PictureOptionsJs;
 use types::{
-    AdviceJs, EliminationJs, NextActionsJs, OutcomeJs, ProgressJs, SceneJs, SolveOptionsJs, TraceJs,
+    AdviceJs, EliminationJs, NextActionsJs, OutcomeJs, PictureOptionsJs, ProgressJs, SceneJs,
+    SolveOptionsJs, TraceJs,
 };
 
 /// Shows panics on the console with their message.
@@ -162,6 +161,16 @@ impl Problem {
         let options = read_picture_options(&text, &self.problem, plan.len());
         let options = options.map_err(|e| error::options(&e))?;
         draw(&self.document, &self.problem, &plan, &options).map_err(|e| error::picture(&e))
+    }
+
+    /// Draws nothing: throws a `NeedsFullCore`.
+    #[cfg(not(feature = "full"))]
+    pub fn picture(
+        &self,
+        _plan: Vec<String>,
+        _options: PictureOptionsJs,
+    ) -> Result<String, JsValue> {
+        Err(error::needs_full_core("pictures are drawn by the full core"))
     }
 
     /// Gets a solver ready. Throws an `OptionsError` where the options do not fit.

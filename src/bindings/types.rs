@@ -271,7 +271,6 @@ extern "C" {
     #[wasm_bindgen(typescript_type = "SolveOptions")]
     pub type SolveOptionsJs;
     /// Options of a picture.
-    #[cfg(feature = "full")]
     #[wasm_bindgen(typescript_type = "PictureOptions")]
     pub type PictureOptionsJs;
     /// The answer of a solver.

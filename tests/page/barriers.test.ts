@@ -59,8 +59,16 @@ const states: State[] = [
     },
   ],
   [
+    "a picture to be saved",
+    async (page) => {
+      await press(page, "Save picture");
+      await page.getByRole("dialog").getByRole("img").waitFor();
+    },
+  ],
+  [
     "walking",
     async (page) => {
+      await page.keyboard.press("Escape");
       await openTab(page, "Play");
       await press(page, "Take over");
       await press(page, "north");

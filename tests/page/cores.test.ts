@@ -76,6 +76,7 @@ test("the light core says what needs the full one, and only that", () => {
   for (const encoding of ["belief-flow", "paper"] as const) {
     assert.throws(() => problem.solve({ solver: "ip", encoding, horizon: 5 }), needsFull);
   }
+  assert.throws(() => problem.picture([], {}), needsFull);
   const named = (name: string) => (error: unknown) => error instanceof Error && error.name === name;
   assert.throws(() => new LightProblem('{"format": "chess"}'), named("DocumentError"));
   assert.throws(() => problem.solve({ solver: "ip", k: 9 }), named("OptionsError"));

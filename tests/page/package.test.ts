@@ -63,7 +63,7 @@ test("the solver solves in Node, and names what is wrong", () => {
 test("its types fit, and are those that the element has", () => {
   writeFileSync(
     join(folder, "use.ts"),
-    `import { inside, MoCoppPlayground } from "mo-copp";
+    `import { inside, MoCoppPlayground, type SvgOptions } from "mo-copp";
      import { solve, type Outcome } from "mo-copp/core";
      import "mo-copp/single";
      const element = document.querySelector("mo-copp-playground");
@@ -71,6 +71,8 @@ test("its types fit, and are those that the element has", () => {
        element.document = { format: "gridworld" };
        element.state = element.state;
        void element.goTo(2).then(() => element.ready);
+       const options: SvgOptions = { walk: true, board: "actor", captions: false, theme: "dark", milliseconds: 500 };
+       void element.toSVG(options).then((svg) => svg.length);
        inside(element).querySelector("[data-goal]");
        void element.solve({ solver: "search", k: 2 }).then(({ plan }) => plan?.length);
      }
@@ -99,7 +101,7 @@ test("the manifest lists what the element follows, offers and tells, and licence
   assert.equal(element.tagName, "mo-copp-playground");
   for (const name of [...followed, "loading", "worker-url", "wasm-url"])
     assert(names(element.attributes).includes(name), name);
-  for (const name of ["document", "state", "goTo", "solve", "ready"])
+  for (const name of ["document", "state", "goTo", "solve", "toSVG", "ready"])
     assert(names(element.members).includes(name), name);
   assert.deepEqual(names(element.events), ["mo-copp-step", "mo-copp-outcome", "mo-copp-score"]);
   const guide = readFileSync(new URL("../../docs/embedding.md", import.meta.url), "utf8");

@@ -9,6 +9,7 @@ export type {
   LengthPoint,
   NextAction,
   Outcome,
+  PictureOptions,
   Place,
   Progress,
   RobotState,

@@ -1,7 +1,7 @@
 // The core, run here in Node: what the page shows is held against its answers.
 import { readFileSync } from "node:fs";
 import init, { Problem } from "../../../www/pkg/mo_copp.js";
-import type { Advice, Outcome, Scene, SolveOptions, Trace } from "../../../www/src/core.js";
+import type { Advice, Outcome, PictureOptions, Scene, SolveOptions, Trace } from "../../../www/src/core.js";
 
 const folder = new URL("../../../www/", import.meta.url);
 await init({ module_or_path: readFileSync(new URL("pkg/mo_copp_bg.wasm", folder)) });
@@ -19,6 +19,9 @@ export function solve(document: string, options: SolveOptions): { outcome: Outco
 export function replay(document: string, plan: string[]): Trace {
   return new Problem(document).trace(plan);
 }
+
+export const picture = (document: string, plan: string[], options: PictureOptions): string =>
+  new Problem(document).picture(plan, options);
 
 export function advise(document: string, options: SolveOptions): Advice {
   const run = new Problem(document).remedy(options);

@@ -7,6 +7,7 @@ import type { SharedState } from "../share/shared-state.js";
 import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
 import { followed } from "./attributes.js";
+import type { SvgOptions } from "./svg-options.js";
 import type { View, Wanted } from "./view.js";
 import { whenNear, whenParsed } from "./when.js";
 
@@ -66,6 +67,14 @@ export abstract class PlaygroundElement extends Base {
   /** Solves the open problem. Rejects with a sentence where the options do not fit or the solver was lost. */
   async solve(options: Partial<SolveOptions> = {}): Promise<Answered> {
     return (await this.drawn()).solve(options);
+  }
+
+  /**
+   * The step shown as the text of an SVG picture, the same as `mo-copp picture` writes; with `walk` all steps, animated.
+   * Rejects with a sentence where there is nothing to draw, or an option does not fit.
+   */
+  async toSVG(options: SvgOptions = {}): Promise<string> {
+    return (await this.drawn()).toSVG(options);
   }
 
   private async drawn(): Promise<View> {

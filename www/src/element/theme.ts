@@ -2,7 +2,7 @@
 // the switch of the tool that they are made with; where a page says nothing, its ground does.
 
 export const themes = ["light", "dark", "auto"] as const;
-type Scheme = "light" | "dark";
+export type Scheme = "light" | "dark";
 
 /** What switches write: an attribute, and its values. The nearest around the playground counts. */
 const switches: readonly [attribute: string, light: RegExp, dark: RegExp][] = [
@@ -79,6 +79,12 @@ export class Theme {
     // Slides are often dark without saying so.
     return words === "" ? groundOf(around) : fromColorScheme(words, this.system?.matches === true);
   }
+}
+
+/** The colours that a playground has now. */
+export function schemeOf({ dataset }: HTMLElement): Scheme {
+  if (dataset.scheme === "light" || dataset.scheme === "dark") return dataset.scheme;
+  return globalThis.matchMedia?.("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
 
 function setScheme({ dataset }: HTMLElement, scheme: Scheme | null): void {

@@ -14,6 +14,7 @@ import { Address } from "../share/address.js";
 import { copyLink, LinkCopier } from "../share/copy-link.js";
 import { DropTarget, dropSign } from "../share/drop.js";
 import { LinkError } from "../share/packed.js";
+import { pictureButton } from "../share/picture-button.js";
 import { restore } from "../share/restore.js";
 import { readState, type SharedState, stateOf } from "../share/shared-state.js";
 import { Announcer, announcement } from "../stage/announcement.js";
@@ -42,6 +43,8 @@ import {
   settingsOf,
   settle,
 } from "./settings.js";
+import { pictureOptions, type SvgOptions } from "./svg-options.js";
+import { schemeOf } from "./theme.js";
 
 /** Attributes that change how a playground looks and behaves, and not what is open in it. */
 const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme"]);
@@ -179,6 +182,10 @@ export class View {
     return outcome;
   }
 
+  toSVG(options: SvgOptions): Promise<string> {
+    return this.playground.pictures.draw(pictureOptions(options, schemeOf(this.host)));
+  }
+
   attributeChanged(name: string): void {
     this.picture.request();
     if (name === "link") return;
@@ -253,7 +260,9 @@ export class View {
     const error = playground.answer.error.value;
     const hidden = hiddenParts(this.host.getAttribute("hide"));
     const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
-    const link = () => (this.sharing && !hidden.has("share") ? copyLink(playground, this.copier) : nothing);
+    const link = () => (this.sharing ? copyLink(playground, this.copier) : nothing);
+    const share = () =>
+      hidden.has("share") ? nothing : html`${pictureButton(playground, () => schemeOf(this.host))} ${link()}`;
     // Parts that the tour speaks of may be left out; of several playgrounds the first has it.
     const toured = this.sharing && !["gallery", "stepper", "workbench"].some((part) => hidden.has(part));
     return html`
@@ -266,7 +275,7 @@ export class View {
                 @click=${() => playground.answer.dismiss()}>${cross}</button>`
         }
       </div>
-      ${show("gallery", () => held(playground, () => problemBar(playground, link())))} ${show("tools", () => toolbar(playground))}
+      ${show("gallery", () => held(playground, () => problemBar(playground, share())))} ${show("tools", () => toolbar(playground))}
       ${stage(toured ? this.onStage.toured : this.onStage.alone)}
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
       ${

@@ -13,8 +13,8 @@ export interface ProblemBarStores extends MenuStores {
   boards: Boards;
 }
 
-/** `link`: the way to a link to what is shown, where there is one. */
-export function problemBar(playground: ProblemBarStores, link: TemplateResult | typeof nothing): TemplateResult {
+/** `share`: the ways to pass on what is shown, where there are any. */
+export function problemBar(playground: ProblemBarStores, share: TemplateResult | typeof nothing): TemplateResult {
   const { gallery } = playground;
   const entry = gallery.current.value;
   const value = playground.problem.document.value?.value;
@@ -35,7 +35,7 @@ export function problemBar(playground: ProblemBarStores, link: TemplateResult | 
     <p class="about">${entry?.about ?? aboutOwn(playground)}</p>
     ${plans(playground, entry?.plans ?? [])}
     <div class="share">
-      ${link}
+      ${share}
       <button type="button" class="sign" aria-label="Help" title="Help: keys and words (?)" @click=${(event: Event) => void openHelp(undefined, event.currentTarget as Element)}>${question}</button>
     </div>
   </section>`;

@@ -1,8 +1,8 @@
 // The help: all keys, and what the words mean.
 import { html, render, type TemplateResult } from "lit";
+import { besidePlayground } from "../view/beside.js";
 import { closeAround } from "../view/dialog.js";
 import { cross } from "../view/icons.js";
-import { playgroundAround } from "../view/surroundings.js";
 import { type Definition, glossary } from "./glossary.js";
 import { type KeyGroup, keyGroups } from "./keys.js";
 import type { Term } from "./terms.js";
@@ -17,22 +17,11 @@ export function showHelp(term: Term | undefined, part: Element): void {
   if (dialog === undefined) {
     dialog = made();
     dialogs.set(root, dialog);
-    holder(part, root).append(dialog);
+    besidePlayground(part).append(dialog);
   }
   if (!dialog.open) dialog.showModal();
   if (term !== undefined) showTerm(dialog, term);
   else dialog.scrollTop = 0;
-}
-
-/** Styles reach what is in a playground, or in this; beside what the playground draws. */
-function holder(part: Element, root: Node): HTMLElement {
-  const around = playgroundAround(part);
-  const inShadow = root instanceof ShadowRoot && around !== null;
-  const element = inShadow ? (around.cloneNode() as HTMLElement) : document.createElement("div");
-  element.className = "mo-copp-part";
-  element.removeAttribute("part");
-  (inShadow ? root : document.body).append(element);
-  return element;
 }
 
 function made(): HTMLDialogElement {

@@ -11,6 +11,7 @@ import { emptyForm, type Form } from "../state/form.js";
 import { Guess } from "../state/guess.js";
 import { Drafts } from "../state/numbers.js";
 import { OpenProblem } from "../state/open-problem.js";
+import { Pictures } from "../state/pictures.js";
 import { Plans } from "../state/plans.js";
 import { Solving } from "../state/solving.js";
 import { Timeline } from "../state/timeline.js";
@@ -33,6 +34,7 @@ export class Playground {
   readonly solving = new Solving(this);
   readonly edits = new Edits(this);
   readonly plans = new Plans(this);
+  readonly pictures = new Pictures(this);
   readonly why = new Why(this);
   readonly walk = new Walk(this);
   readonly guess = new Guess(this);
@@ -44,8 +46,9 @@ export class Playground {
   readonly command = new Copier();
 
   dispose(): void {
-    const { timeline, solving, answer, why, walk, guess, adviser, comparison, tradeoff, draft } = this;
+    const { timeline, solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft } = this;
     timeline.pause();
-    for (const part of [solving, answer, why, walk, guess, adviser, comparison, tradeoff, draft]) part.dispose();
+    for (const part of [solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft])
+      part.dispose();
   }
 }

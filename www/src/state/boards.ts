@@ -12,9 +12,11 @@ export class Boards {
   readonly mode = signal<Mode>("plan");
   /** What the plan shown is, where it is not the result: "a plan of the trade-off". */
   readonly chosen = signal<string | null>(null);
-  /** The scene of a game that is shown in place of the open problem's own. */
-  readonly disguise = signal<Scene | null>(null);
+  /** What a game shows in place of the open problem; without its document, where that would tell what is to be guessed. */
+  readonly disguise = signal<{ scene: Scene; document: string | null } | null>(null);
   readonly scene: ReadonlySignal<Scene | null>;
+  /** The text of the document whose steps are shown; null where there is none, or it is kept secret. */
+  readonly document: ReadonlySignal<string | null>;
   readonly story: GoalStory;
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null>;
@@ -25,10 +27,14 @@ export class Boards {
   private left: number | null = null;
   private readonly timeline: Timeline;
 
-  constructor({ problem, timeline }: { problem: Pick<OpenProblem, "scene">; timeline: Timeline }) {
+  constructor({ problem, timeline }: { problem: Pick<OpenProblem, "document" | "scene">; timeline: Timeline }) {
     this.timeline = timeline;
     this.story = new GoalStory(timeline);
-    this.scene = computed(() => this.disguise.value ?? problem.scene.value);
+    this.scene = computed(() => this.disguise.value?.scene ?? problem.scene.value);
+    this.document = computed(() => {
+      const disguise = this.disguise.value;
+      return disguise === null ? (problem.document.value?.text ?? null) : disguise.document;
+    });
     this.difference = computed(() => {
       if (this.mode.value === "guess") return null;
       const trace = timeline.trace.value;

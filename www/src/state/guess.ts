@@ -36,7 +36,7 @@ export class Guess {
   readonly under: ReadonlySignal<boolean> = computed(() => this.round.value.kind === "guessing");
 
   private readonly hider = new TaskRunner("now");
-  private hidden: { goal: string; scene: Scene; trace: Trace } | null = null;
+  private hidden: { goal: string; document: string; scene: Scene; trace: Trace } | null = null;
 
   constructor(private readonly stores: Stores) {
     // What the boards show by then is another plan's.
@@ -57,7 +57,7 @@ export class Guess {
       if (ending.kind === "stale" || this.round.value.kind !== "hiding") return;
       // A goal that can't be reached is not worth a guess.
       if (ending.kind !== "solved" || ending.outcome.plan === null) continue;
-      this.hide(goal, ending.scene, ending.trace);
+      this.hide(goal, secret, ending.scene, ending.trace);
       return;
     }
     this.round.value = { kind: "impossible" };
@@ -79,14 +79,14 @@ export class Guess {
   guess(guess: string): void {
     const { timeline, boards } = this.stores;
     if (this.hidden === null || this.round.value.kind !== "guessing") return;
-    const { goal, scene, trace } = this.hidden;
+    const { goal, document, scene, trace } = this.hidden;
     const step = timeline.step.value;
     batch(() => {
       this.played.value += 1;
       if (guess === goal) this.right.value += 1;
       const possible = trace.steps[step]?.goals.adversarial.length ?? 0;
       this.round.value = { kind: "over", guess, goal, step, possible };
-      boards.disguise.value = scene;
+      boards.disguise.value = { scene, document };
       boards.showSteps("plan", trace, "end");
     });
   }
@@ -112,13 +112,13 @@ export class Guess {
     this.hider.dispose();
   }
 
-  private hide(goal: string, scene: Scene, trace: Trace): void {
+  private hide(goal: string, document: string, scene: Scene, trace: Trace): void {
     const { boards } = this.stores;
-    this.hidden = { goal, scene, trace };
+    this.hidden = { goal, document, scene, trace };
     batch(() => {
       this.round.value = { kind: "guessing" };
       // No view can tell which goal is the true one.
-      boards.disguise.value = { ...scene, true_goal: "" };
+      boards.disguise.value = { scene: { ...scene, true_goal: "" }, document: null };
       boards.showSteps("guess", { ...trace, goal_difference: 0, steps: trace.steps.map(enemysView) }, "start");
     });
   }

@@ -18,6 +18,9 @@ export const cross = icon(svg`<path class="cross" d="M4 4l8 8M12 4l-8 8"></path>
 export const chain = icon(
   svg`<path class="stroke" d="M6.8 9.2a2.6 2.6 0 0 0 3.7 0l2.4-2.4a2.6 2.6 0 0 0-3.7-3.7l-1 1M9.2 6.8a2.6 2.6 0 0 0-3.7 0L3.1 9.2a2.6 2.6 0 0 0 3.7 3.7l1-1"></path>`,
 );
+export const frame = icon(
+  svg`<path class="stroke" d="M2 3.5h12v9H2zM2.5 12l3.8-4.2l2.6 2.8l1.8-1.8l3 3.2"></path><circle cx="10.6" cy="6.3" r="1"></circle>`,
+);
 export const tick = icon(svg`<path class="stroke" d="M3 8.5l3.5 3.5L13 4.5"></path>`);
 export const question = icon(
   svg`<path class="stroke" d="M5.4 6a2.6 2.6 0 1 1 3.9 2.2c-.9.5-1.3 1-1.3 2"></path><circle cx="8" cy="12.8" r="0.9"></circle>`,

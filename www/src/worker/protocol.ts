@@ -8,6 +8,7 @@ import type {
   Eliminations,
   NextAction,
   Outcome,
+  PictureOptions,
   Progress,
   Scene,
   SolveOptions,
@@ -25,6 +26,8 @@ export type Task =
   | { kind: "walk"; document: string; plan: string[] }
   /** Why a goal is not possible for each observer after a step of a plan. */
   | { kind: "explain"; document: string; plan: string[]; goal: string; step: number }
+  /** A step of a plan, or all of them, as SVG. */
+  | { kind: "picture"; document: string; plan: string[]; options: PictureOptions }
   /** Why there is no plan with these options, and which change of one of them would allow one. */
   | { kind: "advise"; document: string; options: SolveOptions };
 
@@ -61,6 +64,7 @@ export type Answer =
   | { kind: "walked"; trace: Trace; next: NextAction[] }
   | { kind: "explained"; eliminations: Eliminations }
   | { kind: "advised"; advice: Advice }
+  | { kind: "drawn"; svg: string }
   /** The document, the plan or the options are wrong: `message` is for the person to read. */
   | { kind: "refused"; message: string }
   /** The core panicked or could not be loaded: this worker is of no more use. */

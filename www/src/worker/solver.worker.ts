@@ -62,6 +62,8 @@ function perform(core: Core, task: Task, id: number): Answer | Promise<Answer> {
       return { kind: "explained", eliminations: explained(problem, task) };
     case "solve":
       return solve(problem, task.options, id);
+    case "picture":
+      return { kind: "drawn", svg: problem.picture(task.plan, task.options) };
     case "advise":
       return advise(problem, task.options, id);
   }

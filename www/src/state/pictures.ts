@@ -1,0 +1,48 @@
+// Pictures of what the boards show, drawn by the core.
+import type { PictureOptions } from "../core.js";
+import { TaskRunner } from "../worker/runner.js";
+import type { Boards } from "./boards.js";
+import { lost } from "./lost.js";
+import type { Timeline } from "./timeline.js";
+
+interface Stores {
+  boards: Pick<Boards, "document" | "mode">;
+  timeline: Pick<Timeline, "trace" | "step">;
+}
+
+export class Pictures {
+  private readonly runner = new TaskRunner("now");
+  /** One picture after the other: a newer task of the runner would end the older one. */
+  private queue: Promise<unknown> = Promise.resolve();
+
+  constructor(private readonly stores: Stores) {}
+
+  /** The step shown as SVG, unless the options name another, or all. Rejects with a sentence where there is no picture. */
+  draw(options: PictureOptions): Promise<string> {
+    // What is shown now, and not what is shown when the turn comes.
+    const { boards, timeline } = this.stores;
+    const document = boards.document.value;
+    const steps = timeline.trace.value?.steps ?? [];
+    const plan = steps.flatMap(({ action }) => (action === null ? [] : [action]));
+    const wanted = { step: timeline.step.value, ...options };
+    const guessing = boards.mode.value === "guess";
+    const drawn = this.queue.then(() => {
+      if (guessing) throw new Error("There is no picture while a goal is being guessed: it would tell which.");
+      if (document === null || steps.length === 0) throw new Error("There is nothing to draw.");
+      return this.ask(document, plan, wanted);
+    });
+    this.queue = drawn.catch(() => undefined);
+    return drawn;
+  }
+
+  dispose(): void {
+    this.runner.dispose();
+  }
+
+  private async ask(document: string, plan: string[], options: PictureOptions): Promise<string> {
+    const ending = await this.runner.run({ kind: "picture", document, plan, options });
+    if (ending.kind === "drawn") return ending.svg;
+    if (ending.kind === "refused") throw new Error(ending.message);
+    throw new Error(ending.kind === "lost" ? lost(ending) : "The playground was taken out of the page.");
+  }
+}
