@@ -53,7 +53,7 @@ async function shows(page: Page, svg: string): Promise<void> {
     ([svg]) => {
       const inShadow = [...document.querySelectorAll("mo-copp-playground")].map(({ shadowRoot }) => shadowRoot);
       const images = [document, ...inShadow].map((root) =>
-        root?.querySelector<HTMLImageElement>("dialog.pictures img"),
+        root?.querySelector<HTMLImageElement>("dialog.picture-sheet img"),
       );
       const image = images.find((image) => image);
       return image?.complete && image.naturalWidth > 0 && decodeURIComponent(image.src).endsWith(svg ?? "");
@@ -323,7 +323,7 @@ test("the sheet fits the window, and its picture the sheet", async () => {
         await statusIs(page, "optimal");
         await openSheet(page);
         const boxes = await page.evaluate(() =>
-          ["dialog.pictures", ".pictures .preview", ".pictures img"].map(
+          ["dialog.picture-sheet", ".picture-sheet .preview", ".picture-sheet img"].map(
             (selector) => document.querySelector(selector)?.getBoundingClientRect().toJSON() as DOMRect,
           ),
         );

@@ -16,6 +16,7 @@ import "./style/share.css";
 import "./style/help.css";
 import "./style/steps.css";
 import "./style/text.css";
+import "./style/print.css";
 import "./element/view.js";
 import "./embed.js";
 import { bringViewStyles } from "./stage/view-styles.js";

@@ -12,6 +12,7 @@ import guest from "../style/guest.css?inline";
 import help from "../style/help.css?inline";
 import page from "../style/page.css?inline";
 import play from "../style/play.css?inline";
+import print from "../style/print.css?inline";
 import share from "../style/share.css?inline";
 import solve from "../style/solve.css?inline";
 import steps from "../style/steps.css?inline";
@@ -42,4 +43,5 @@ export const styles: readonly (readonly [name: string, text: string])[] = [
   ["steps", steps],
   ["text", text],
   ["views", views],
+  ["print", print],
 ];

@@ -33,6 +33,7 @@ import { Notifier } from "./events.js";
 import { keepInSight } from "./in-sight.js";
 import { LiveRender } from "./live-render.js";
 import { PageKeys } from "./page-keys.js";
+import { Printing } from "./printing.js";
 import {
   goToStep,
   hiddenParts,
@@ -64,6 +65,7 @@ export class View {
   private readonly keys: PageKeys;
   private readonly picture: LiveRender;
   private readonly tour: Tour;
+  private readonly printing = new Printing();
   /** What the boards are drawn with, where there is a tour of them and where there is none. They keep what is open by it. */
   private readonly onStage: { toured: StageStores; alone: StageStores };
   /** Rows that got narrower have moved what was in sight. */
@@ -113,6 +115,7 @@ export class View {
     this.drops.listen(this.sharing ? window : this.host);
     this.announcer.listen();
     this.keys.listen();
+    this.printing.connect();
     this.sizes.observe(this.root);
     this.root.addEventListener("focusin", this.seen);
     this.picture.connect();
@@ -127,6 +130,7 @@ export class View {
     this.drops.release();
     this.announcer.release();
     this.keys.release();
+    this.printing.disconnect();
     this.playground.dispose();
   }
 
@@ -286,6 +290,7 @@ export class View {
               ${show("goals", () => html`<section class="card" part="goals" aria-label="Goals">${goalList(playground)}</section>`)}
             </div>`
       }
+      ${show("workbench", () => this.printing.content(playground))}
       ${show("gallery", () => galleryMenu(playground))} ${dropSign(this.drops)} ${announcement(this.announcer)} ${this.tour.card()}
     `;
   }
@@ -311,6 +316,7 @@ export class View {
     if (difference.value === null) delete dataset.gd;
     else dataset.gd = String(difference.value);
     if (timeline.trace.value !== null || status.value === "error") this.shown();
+    if (timeline.trace.value !== null) this.printing.prepare();
     this.follow();
     void this.playground.walk.follow();
     this.notifier.notify();

@@ -60,7 +60,7 @@ export class PictureSheet {
   open(part: Element): void {
     const { dialog } = this;
     this.stores.timeline.pause();
-    dialog.className = "sheet pictures";
+    dialog.className = "sheet picture-sheet";
     dialog.setAttribute("aria-labelledby", "mo-copp-pictures");
     dialog.addEventListener("click", closeAround);
     const place = besidePlayground(part);

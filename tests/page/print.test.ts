@@ -1,0 +1,217 @@
+// The page on paper: boards whole, nothing for a hand, colours that survive, and the table of the steps.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { type Options, visit } from "./support/browser.js";
+import { solve } from "./support/core.js";
+import { documentOf, entries } from "./support/gallery.js";
+import { openTab, press, slider, statusIs, stepIs } from "./support/playground.js";
+import { address } from "./support/site.js";
+
+/** What A4 leaves between margins of 12 mm, in pixels. */
+const sheet = { width: 702, height: 1032 };
+
+/** The code of the table is there: it is fetched in the first pause. */
+const prepared = (page: Page) =>
+  page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => /steps-table/.test(name)));
+
+async function onPaper(page: Page): Promise<void> {
+  await page.emulateMedia({ media: "print" });
+  await page.getByRole("heading", { name: "The steps" }).waitFor();
+}
+
+const printed = (use: (page: Page) => Promise<void>, options: Options = {}) =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await use(page);
+    },
+    { viewport: sheet, ...options },
+  );
+
+/** An element in a dark page, with colours of its own for it. */
+async function inDarkPage(page: Page): Promise<void> {
+  await page.route(`${address}lesson/print.html`, (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: `<!doctype html><html lang="en"><head><title>Lesson</title>
+        <style>html { color-scheme: dark } body { margin: 0; background: #111 }
+          mo-copp-playground { --mo-copp-paper: #000; --mo-copp-ink: #eee; --mo-copp-enemy: #fbb }</style>
+        <script type="module" src="../mo-copp-playground.js"></script></head><body>
+        <mo-copp-playground problem="eight-by-eight" link="off"></mo-copp-playground></body></html>`,
+    }),
+  );
+  await page.goto(`${address}lesson/print.html`);
+  await statusIs(page, "optimal");
+}
+
+/** What the stylesheet makes of the first of each of these. */
+const looks = (page: Page, selectors: readonly string[], properties: readonly string[]) =>
+  page.evaluate(
+    ([selectors, properties]) => {
+      const root = document.querySelector("mo-copp-playground")?.shadowRoot ?? document;
+      return selectors.map((selector) => {
+        const part = root.querySelector(selector);
+        if (part === null) throw new Error(`there is no ${selector}`);
+        const style = getComputedStyle(part);
+        return properties.map((property) => style.getPropertyValue(property));
+      });
+    },
+    [selectors, properties] as const,
+  );
+
+const [ENEMY, FRIEND, INK, WHITE] = ["rgb(179, 64, 26)", "rgb(10, 98, 163)", "rgb(34, 38, 46)", "rgb(255, 255, 255)"];
+
+for (const [place, go] of [
+  ["the page in dark", async () => undefined],
+  ["an element in a dark page with its own colours", inDarkPage],
+] as const) {
+  test(`${place} is printed dark on white, and what is told apart is told apart by lines`, () =>
+    printed(
+      async (page) => {
+        await go(page);
+        await slider(page).fill("9");
+        await stepIs(page, 9);
+        await prepared(page);
+        await onPaper(page);
+        const panels = [".panel.adversarial", ".panel.actor", ".panel.cooperative"];
+        assert.deepEqual(
+          await looks(page, panels, ["background-color", "border-top-color", "color", "print-color-adjust"]),
+          [ENEMY, INK, FRIEND].map((colour) => [WHITE, colour, INK, "exact"]),
+        );
+        const believed = panels.filter((_, index) => index !== 1).map((panel) => `${panel} .floor[data-believed]`);
+        assert.deepEqual((await looks(page, believed, ["stroke"])).flat(), [ENEMY, FRIEND]);
+        const [[floor], [tint]] = (await looks(
+          page,
+          [".panel.adversarial .floor:not([data-believed])", believed[0] ?? ""],
+          ["fill"],
+        )) as [[string], [string]];
+        assert.notEqual(floor, tint);
+        const [[line] = []] = await looks(page, [".paper tr[aria-current=step]"], ["outline-style"]);
+        assert.equal(line, "solid");
+      },
+      { colorScheme: "dark" },
+    ));
+}
+
+test("nothing that is for a hand is printed", () =>
+  printed(async (page) => {
+    await prepared(page);
+    for (const tab of ["Edit", "Play", "Steps"]) await openTab(page, tab);
+    await onPaper(page);
+    const hands = page.locator("mo-copp-playground :is(button, input, select, textarea, a, [role=tab])");
+    const left = await hands.evaluateAll((all) =>
+      all
+        .filter((one) => one.checkVisibility())
+        .map((one) => {
+          const { borderTopWidth, backgroundColor, textDecorationLine } = getComputedStyle(one);
+          return [borderTopWidth, backgroundColor, textDecorationLine].join() === "0px,rgba(0, 0, 0, 0),none"
+            ? "text"
+            : one.outerHTML;
+        }),
+    );
+    // Buttons that are words on the page are words on paper.
+    assert.deepEqual(new Set(left), new Set(["text"]));
+    for (const hidden of [".toolbar", ".workbench", ".share", ".about-page"])
+      assert.equal(await page.locator(hidden).isVisible(), false, hidden);
+    for (const kept of ["The paper’s gridworld", "What the enemy believes", "What the friend believes", "Step 0 of 16"])
+      await page.getByText(kept).first().waitFor();
+    // On the screen it is as it was.
+    await page.emulateMedia({ media: "screen" });
+    await page.getByRole("heading", { name: "The steps" }).waitFor({ state: "detached" });
+    assert.equal(await page.locator(".workbench").isVisible(), true);
+  }));
+
+/** One of each picture, and those of most goals. */
+const drawn = [
+  "eight-by-eight",
+  "city",
+  "delivery",
+  "delivery-larger",
+  "box-pushing",
+  "recycling-robot",
+  "blocks",
+  "driverlog",
+];
+
+for (const { name } of entries.filter(({ name }) => drawn.includes(name))) {
+  test(`the boards stand side by side on the first sheet, whole: ${name}`, () =>
+    printed(async (page) => {
+      await page.goto(`${address}?problem=${name}`);
+      await statusIs(page, "optimal");
+      await page.locator(".panel.actor [data-board]").waitFor();
+      await slider(page).fill("2");
+      await stepIs(page, 2);
+      await prepared(page);
+      await onPaper(page);
+      const { panels, torn, wide } = await page.evaluate(() => ({
+        panels: [...document.querySelectorAll(".stage > .panel")].map((panel) => {
+          const { top, bottom, left, right } = panel.getBoundingClientRect();
+          const { breakInside } = getComputedStyle(panel);
+          const boards = [...panel.querySelectorAll("[data-board], .verdict")].map((part) =>
+            part.getBoundingClientRect(),
+          );
+          const inside = boards.every(
+            (box) => box.left >= left - 1 && box.right <= right + 1 && box.bottom <= bottom + 1,
+          );
+          return { top, bottom, left, right, breakInside, inside, cut: panel.scrollWidth > panel.clientWidth + 1 };
+        }),
+        torn: [...document.querySelectorAll(".paper tr")].filter((row) => getComputedStyle(row).breakInside !== "avoid")
+          .length,
+        wide: document.documentElement.scrollWidth - innerWidth,
+      }));
+      assert.equal(panels.length, 3);
+      assert.equal(new Set(panels.map(({ top }) => Math.round(top))).size, 1);
+      for (const { bottom, breakInside, inside, cut } of panels) {
+        assert(bottom <= sheet.height && inside && !cut, `${name}: ${JSON.stringify(panels)}`);
+        assert.equal(breakInside, "avoid");
+      }
+      const [first, second, third] = [...panels].sort((one, other) => one.left - other.left);
+      assert(first && second && third && first.right <= second.left && second.right <= third.left);
+      assert.equal(torn, 0);
+      assert(wide <= 0, `${wide} pixels too wide`);
+    }));
+}
+
+test("a print has the table of all steps, by the time the browser lays it out", () =>
+  printed(async (page) => {
+    await prepared(page);
+    await page.evaluate(() => {
+      const playground = document.querySelector("mo-copp-playground") as Element;
+      new MutationObserver(() => {
+        const rows = [...document.querySelectorAll(".paper tbody tr")].map(({ textContent }) => textContent);
+        if (rows.length > 0) Object.assign(window, { rows });
+      }).observe(playground, { childList: true, subtree: true });
+    });
+    const pdf = await page.pdf({ format: "A4", preferCSSPageSize: true });
+    const pages = pdf.toString("latin1").match(/\/Type\s*\/Page\b(?!s)/g)?.length;
+    assert.equal(pages, 2);
+    const { trace } = solve(documentOf("eight-by-eight"), { solver: "exact" });
+    const rows = await page.evaluate(() => (window as unknown as { rows: string[] }).rows);
+    assert.equal(rows.length, trace.steps.length);
+    for (const [step, { action, symbols }] of trace.steps.entries())
+      for (const word of [String(step), action ?? "start", symbols.adversarial ?? "", symbols.cooperative ?? ""])
+        assert(rows[step]?.includes(word), `${rows[step]}: ${word}`);
+    assert.equal(await page.locator(".paper").count(), 0);
+  }));
+
+test("the enemy’s player prints what the enemy knows, and a part that is left out is not printed", () =>
+  printed(async (page) => {
+    await prepared(page);
+    await openTab(page, "Play");
+    await press(page, "Start guessing");
+    await page.getByText("Which goal is it after?").waitFor();
+    await press(page, "Forward one step");
+    await onPaper(page);
+    assert.equal(await page.locator(".paper tbody tr").count(), 2);
+    assert.equal(await page.locator(".paper thead").getByText("The friend").count(), 0);
+    await page.emulateMedia({ media: "screen" });
+    await page.goto(`${address}?hide=workbench`);
+    await statusIs(page, "optimal");
+    await prepared(page);
+    await page.emulateMedia({ media: "print" });
+    await page.waitForFunction(
+      () => getComputedStyle(document.querySelector(".toolbar") as Element).display === "none",
+    );
+    assert.equal(await page.locator(".paper").count(), 0);
+  }));
