@@ -1,8 +1,9 @@
-// The npm package: the element, the solver, the one script, types, the manifest of the element, and licences.
+// The npm package: the element, the solver, the one script, the article, types, the manifest of the element, and licences.
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { dist, inRoot, wasmPackage } from "../lib/paths.mjs";
 import { run } from "../lib/run.mjs";
+import { copyArticle } from "./article.mjs";
 import { elementManifest } from "./manifest.mjs";
 
 export const packageFolder = inRoot("dist-package");
@@ -20,6 +21,7 @@ export async function buildPackage() {
   rmSync(packageFolder, { recursive: true, force: true });
   cpSync(inRoot("package"), packageFolder, { recursive: true });
   copyScripts();
+  copyArticle(to("learn"));
   const { version } = JSON.parse(readFileSync(inRoot("package.json"), "utf8"));
   const described = JSON.parse(readFileSync(to("package.json"), "utf8"));
   writeFileSync(to("package.json"), `${JSON.stringify({ ...described, version }, null, 2)}\n`);

@@ -7,8 +7,10 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { childEnvironment } from "../../scripts/lib/environment.mjs";
 import { root } from "../../scripts/lib/paths.mjs";
+import { serve } from "../../scripts/lib/static-server.mjs";
 import { buildPackage, packageFolder } from "../../scripts/release/package.mjs";
 import { followed } from "../../www/src/element/attributes.js";
+import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
 
 const run = (command: string, args: string[], cwd: string) =>
@@ -111,4 +113,33 @@ test("the manifest lists what the element follows, offers and tells, and licence
     assert(bundled.includes(`\n${name} `), name);
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE", "README.md"])
     assert(existsSync(join(packageFolder, name)), name);
+});
+
+test("the article is in it, with live figures and no link that leads nowhere", async () => {
+  const { server, address } = await serve(packageFolder);
+  try {
+    await visit(async ({ page, requests }) => {
+      await page.goto("about:blank");
+      requests.length = 0;
+      await page.goto(`${address}learn/index.html`);
+      await page.locator("#figure-next-door").scrollIntoViewIfNeeded();
+      await page.waitForSelector("#next-door[data-step]");
+      await page.locator("#figure-belief-automaton").getByRole("button", { name: "Grow one step" }).click();
+      const links = await page
+        .locator("a, link")
+        .evaluateAll((all) => all.map((link) => (link as HTMLAnchorElement).href));
+      const own = [
+        ...new Set(links.filter((link) => link.startsWith(address)).map((link) => link.split("#")[0] ?? "")),
+      ];
+      assert(own.length > 4, String(own));
+      for (const link of own) assert.equal((await page.request.get(link)).status(), 200, link);
+      assert.deepEqual(
+        requests.filter((request) => !request.startsWith(address)),
+        [],
+      );
+    });
+  } finally {
+    server.close();
+    server.closeAllConnections();
+  }
 });
