@@ -2,6 +2,7 @@
 import { automaton, pathOf, trimmed } from "./automaton.mjs";
 import { drawing, flow, inWords } from "./automaton-drawing.mjs";
 import { planOf } from "./figures.mjs";
+import { pairsChart } from "./pairs-chart.mjs";
 import { inlineDocument, planAttribute, poster } from "./posters.mjs";
 import { escaped } from "./text.mjs";
 
@@ -58,6 +59,7 @@ export function article(source) {
       const id = attributes.id ?? attributes["data-figure"];
       return `<figure class="lab" id="figure-${id}">${shown}`;
     })
+    .replaceAll(/<div data-pairs="([\w-]+)">/g, (tag, name) => `${tag}${pairsChart(name)}`)
     .replaceAll(/<a [^>]*data-mo-copp-for[^>]*>/g, link)
     .replaceAll("<figcaption>", () => {
       captions += 1;

@@ -171,6 +171,20 @@ async function embedding(driver: Driver, site: Site): Promise<void> {
   await waitFor(driver, `${frame}.querySelector('mo-copp-playground[data-step="0"]')`);
 }
 
+async function article(driver: Driver, site: Site): Promise<void> {
+  await driver.open(`${site.address}learn/index.html`);
+  await driver.evaluate(`document.querySelector("#figure-survivors").scrollIntoView() ?? null`);
+  await waitFor(driver, `document.querySelector('#survivors[data-step="0"]')`);
+  await driver.evaluate(
+    `document.querySelector('a[data-mo-copp-for="survivors"][data-mo-copp-set-step="4"]').click() ?? null`,
+  );
+  await waitFor(driver, `document.querySelector('#survivors[data-step="4"]:not([data-gd="0"])')`);
+  const later = `document.querySelectorAll("#figure-belief-automaton .later").length`;
+  const before = await driver.evaluate<number>(later);
+  await driver.evaluate(`document.querySelectorAll("#figure-belief-automaton button")[1].click() ?? null`);
+  assert.equal(await driver.evaluate<number>(later), before - 1);
+}
+
 /** The page's address, once it holds this step: it follows what is shown with a little delay. */
 async function linkTo(driver: Driver, step: number): Promise<string> {
   for (let known = ""; ; ) {
@@ -213,6 +227,7 @@ export const scenarios: readonly Scenario[] = [
   { name: "steps are walked by keys and buttons", run: steps },
   { name: "a goal is dragged to another cell, and back by undo", run: editing },
   { name: "elements and a frame stand in one page, and tell of their steps", run: embedding },
+  { name: "the article's words drive its figures, and its automaton grows", run: article },
   { name: "a link brings back what was shown", run: sharing },
   { name: "the element solves from any host, in any frame and without a server", run: ways },
 ];

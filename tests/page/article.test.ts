@@ -8,7 +8,7 @@ import { documentOf, figureNames, planOf, plansOf } from "../../scripts/learn/fi
 import { assertNoBarrier } from "./support/barriers.js";
 import { type Options, visit } from "./support/browser.js";
 import { assertClaim, numberWords } from "./support/claims.js";
-import { replay } from "./support/core.js";
+import { replay, solve } from "./support/core.js";
 import { address } from "./support/site.js";
 
 const article = `${address}learn/index.html`;
@@ -55,16 +55,17 @@ test("a claim that does not hold is found out", () => {
 const uncounted = [
   /Figures? \d+/g,
   /\b(?:19|20)\d\d\b/g,
-  /two (?:different beliefs|heads|observers|sets|aims|beliefs|paths|numbers)/gi,
+  /two (?:different beliefs|heads|observers|sets|aims|beliefs|paths|numbers|counts)/gi,
   /mean of the two|both at once|next to it/g,
   /three answers to three questions|four packages/g,
-  /the two\b|D1|D2|Twenty minutes|candidates − 1/g,
+  /the two\b|two counts|D1|D2|Twenty minutes|candidates − 1/g,
 ];
 
 test("no number of the text is without a claim", () =>
   read(async (page) => {
     const texts: string[] = await page.evaluate(() => {
-      const left = "[data-claim], .references, math, figure svg, details, .poster, .about, nav, script, .number, .said";
+      const left =
+        "[data-claim], .references, math, figure svg, details, .poster, .about, nav, script, .number, .said, svg";
       const found: string[] = [];
       for (const block of document.querySelectorAll("main :is(p, li, td, th, caption)")) {
         if (block.closest(left) !== null) continue;
@@ -115,7 +116,7 @@ test("each link of the text that drives a figure shows the step and the plan tha
   read(async (page) => {
     const links = page.locator("a[data-mo-copp-for]");
     const count = await links.count();
-    assert(count >= 25, `${count} links`);
+    assert(count >= 36, `${count} links`);
     for (let index = 0; index < count; index += 1) {
       const link = links.nth(index);
       const { figure, plan, step, src } = await link.evaluate((part) => ({
@@ -209,6 +210,32 @@ test("what is drawn of the automaton is what the core's replays lead to", () =>
       arcs,
       layers.reduce((sum, layer) => sum + layer.arcs.length, 0),
     );
+  }, unscripted));
+
+test("the chart of pairs shows each pair where it belongs, and the table lists the same", () =>
+  read(async (page) => {
+    const { outcome } = solve(documentOf("price"), { solver: "exact", pairs: true });
+    const chart = page.locator("svg.pairs");
+    const centres = (kind: string) =>
+      chart.locator(kind).evaluateAll((parts) =>
+        parts.map((part) => {
+          const { x, y, width, height } = (part as SVGGraphicsElement).getBBox();
+          return [x + width / 2, y + height / 2] as const;
+        }),
+      );
+    const squares = await centres(".square");
+    const order = (place: 0 | 1) =>
+      [...new Set(squares.map((square) => square[place]))].sort((one, other) => one - other);
+    const [columns, rows] = [order(0), order(1).reverse()];
+    const shown = (dots: (readonly [number, number])[]) =>
+      dots.map(([x, y]) => `${rows.indexOf(y) + 1} ${columns.indexOf(x) + 1}`);
+    const text = (pair: { adversarial: number; cooperative: number }) => `${pair.adversarial} ${pair.cooperative}`;
+    assert.deepEqual(shown(await centres("circle")).sort(), outcome.pairs?.map(text).sort());
+    assert.deepEqual(shown(await centres(".front")).sort(), outcome.front?.map(text).sort());
+    const listed = await page
+      .locator("tbody tr")
+      .evaluateAll((all) => all.map((row) => [2, 3].map((cell) => row.children[cell]?.textContent).join(" ")));
+    assert.deepEqual(listed.sort(), outcome.pairs?.map(text).sort());
   }, unscripted));
 
 test("the unit takes the way of the plan that is chosen, to a node of its goal difference", () =>
