@@ -340,3 +340,23 @@ test("the sheet fits the window, and its picture the sheet", async () => {
     );
   }
 });
+
+test("its button takes no room from the problem’s title and plans", () =>
+  visit(async ({ page }) => {
+    await page.goto(`${address}?problem=corridor`);
+    await statusIs(page, "optimal");
+    await page.getByText("Past and back").waitFor();
+    for (const width of [840, 1000, 1030, 1150, 1160, 1280]) {
+      await page.setViewportSize({ width, height: 700 });
+      const cut = await page
+        .locator(".problem-bar :is(.plans button, .title, .save-picture)")
+        .evaluateAll((all) =>
+          all
+            .filter((one) => one.scrollWidth > one.clientWidth + 1 || one.clientHeight > 45)
+            .map((one) => one.outerHTML),
+        );
+      assert.deepEqual(cut, [], `${width}`);
+      const button = (await page.getByRole("button", { name: "Save picture" }).boundingBox()) ?? assert.fail();
+      assert(button.width >= 40 && button.height >= 40, `${width}: ${JSON.stringify(button)}`);
+    }
+  }));

@@ -11,9 +11,16 @@ import { address } from "./support/site.js";
 /** What A4 leaves between margins of 12 mm, in pixels. */
 const sheet = { width: 702, height: 1032 };
 
-/** The code of the table is there: it is fetched in the first pause. */
+/** What is fetched in the first pause is there: the code of the table, and on the stand-alone page the styles. */
 const prepared = (page: Page) =>
-  page.waitForFunction(() => performance.getEntriesByType("resource").some(({ name }) => /steps-table/.test(name)));
+  page.waitForFunction(() => {
+    const alone = document.querySelector("mo-copp-playground[root=page]") !== null;
+    const styled = [...document.styleSheets].some(({ href }) => /\/print-[^/]*\.css$/.test(href ?? ""));
+    return (
+      styled === alone &&
+      performance.getEntriesByType("resource").some(({ name }) => /\/steps-table-[^/]*\.js$/.test(name))
+    );
+  });
 
 async function onPaper(page: Page): Promise<void> {
   await page.emulateMedia({ media: "print" });

@@ -16,9 +16,10 @@ import "./style/share.css";
 import "./style/help.css";
 import "./style/steps.css";
 import "./style/text.css";
-import "./style/print.css";
 import "./element/view.js";
 import "./embed.js";
 import { bringViewStyles } from "./stage/view-styles.js";
 
 bringViewStyles(() => import("./style/views.css"));
+// The screen does not wait for what paper takes; without it the page is printed as it is.
+import("./style/print.css").catch(() => undefined);
