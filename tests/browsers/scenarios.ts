@@ -1,5 +1,6 @@
 // What must work in every browser: the gallery in both cores, solving, stepping, editing, embedding, sharing.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import type { Outcome, Trace } from "../../www/src/core.js";
 import { unpack } from "../../www/src/share/packed.js";
 import { replay, solve } from "../page/support/core.js";
@@ -221,6 +222,47 @@ async function sharing(driver: Driver, site: Site): Promise<void> {
   await assertStep(driver, 1, trace, true);
 }
 
+/** What the command writes: `tests/pictures.rs`. */
+const golden = readFileSync(new URL("../golden/picture.svg", import.meta.url), "utf8");
+
+async function pictures(driver: Driver, site: Site): Promise<void> {
+  await driver.open(`${site.address}?problem=eight-by-eight&plan=north,north,east&step=2`);
+  await waitFor(driver, playground('[data-step="2"]'));
+  const svg = await driver.evaluate<string>(`${playground("")}.toSVG({ theme: "light" })`);
+  assert(svg === golden, "the element gives the text that the command writes");
+  // What would be saved is kept in the page.
+  await driver.evaluate(`(() => {
+    window.saved = [];
+    URL.createObjectURL = (blob) => { window.saved.push(blob); return "#"; };
+    HTMLAnchorElement.prototype.click = () => {};
+    return null;
+  })()`);
+  await press(driver, button("Save picture"));
+  await choose(driver, "Colours", "light");
+  await waitFor(driver, `all("dialog img").some(({ complete, naturalWidth }) => complete && naturalWidth === 1184)`);
+  await press(driver, button("Step 2 as PNG"));
+  await waitFor(driver, `text().includes("Saved: eight-by-eight-step-2.png")`);
+  const png = await driver.evaluate<{ type: string; width: number; height: number; signs: number[] }>(`(async () => {
+    const [blob] = window.saved;
+    const image = await createImageBitmap(blob);
+    const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    // The grounds of what the enemy and the friend believe.
+    const signs = [[245, 205, 184], [185, 217, 241]].map(([red, green, blue]) => {
+      let found = 0;
+      for (let at = 0; at < data.length; at += 4)
+        if (data[at] === red && data[at + 1] === green && data[at + 2] === blue) found += 1;
+      return found;
+    });
+    return { type: blob.type, width: image.width, height: image.height, signs };
+  })()`);
+  assert.deepEqual([png.type, png.width, png.height], ["image/png", 2368, 1332]);
+  // At least one cell of each, 42 units wide, at twice its size.
+  for (const found of png.signs) assert(found > 4000, `${png.signs}`);
+}
+
 export const scenarios: readonly Scenario[] = [
   { name: "every problem of the gallery is opened, solved and stepped through, by both cores", run: gallery },
   { name: "the solvers answer, integer programs too", run: solvers },
@@ -229,5 +271,6 @@ export const scenarios: readonly Scenario[] = [
   { name: "elements and a frame stand in one page, and tell of their steps", run: embedding },
   { name: "the article's words drive its figures, and its automaton grows", run: article },
   { name: "a link brings back what was shown", run: sharing },
+  { name: "a picture has the text that the command writes, and a PNG is made of it", run: pictures },
   { name: "the element solves from any host, in any frame and without a server", run: ways },
 ];
