@@ -10,6 +10,7 @@ export const pages = [
   ["experiments", "Experiments"],
   ["embedding", "In your own page"],
   ["frames", "Frames"],
+  ["pictures", "Pictures and print"],
   ["release", "Releases"],
 ];
 
