@@ -81,6 +81,7 @@ export function page(name, markdown) {
     <nav aria-label="Pages">
       <ul>
         <li><a href="../index.html">Playground</a></li>
+        <li><a href="../learn/index.html">The article</a></li>
         ${pages.map(item).join("\n        ")}
       </ul>
     </nav>

@@ -333,19 +333,31 @@ test("without scripts there is a picture of each figure, with words", () =>
     assert.equal(await page.locator(".arc.lit").count(), planOf("next-door", "past-and-back").length);
   }, unscripted));
 
-test("in print the automaton is whole, and after it as it was", () =>
+test("in print the automaton is whole and figures show their end, and after it all is as it was", () =>
   read(async (page) => {
+    await live(page, "head-fake");
+    await live(page, "price");
+    await page.locator('a[data-mo-copp-for="price"][data-mo-copp-set-plan]').first().click();
+    await page.waitForSelector('#price[data-step="7"]');
+    await page.locator("#price").getByRole("button", { name: "Back one step" }).click();
+    await page.waitForSelector('#price[data-step="6"]');
+    const steps = () =>
+      page.evaluate(() => ["head-fake", "price"].map((id) => document.getElementById(id)?.dataset.step));
+    assert.deepEqual(await steps(), ["0", "6"]);
     const later = () => page.locator("svg .later").count();
     const before = await later();
     assert(before > 0);
     await page.evaluate(() => {
       addEventListener("beforeprint", () => {
-        document.body.dataset.printed = String(document.querySelectorAll("svg .later").length);
+        const steps = ["head-fake", "price"].map((id) => document.getElementById(id)?.dataset.step);
+        document.body.dataset.printed = [document.querySelectorAll("svg .later").length, ...steps].join(" ");
       });
     });
     const pdf = await page.pdf({ format: "A4" });
-    assert.equal(await page.locator("body").getAttribute("data-printed"), "0");
+    assert.equal(await page.locator("body").getAttribute("data-printed"), "0 6 6");
     assert.equal(await later(), before);
+    await page.waitForSelector('#head-fake[data-step="0"]');
+    assert.deepEqual(await steps(), ["0", "6"]);
     const pages = pdf.toString("latin1").match(/\/Type \/Page\b/g)?.length ?? 0;
     assert(pages >= 8 && pages <= 20, `${pages} pages`);
   }));

@@ -119,7 +119,7 @@ const FOLDERS: Table = &[
         ],
     ),
     ("frame", &["element"]),
-    ("learn", &[]),
+    ("learn", &["element"]),
     ("entry", &["element", "frame", "learn", "stage"]),
 ];
 

@@ -1,6 +1,9 @@
 // The article: what its own drawings do. The playgrounds in it come with `embed.ts`.
+import type { MoCoppPlayground } from "./element/mo-copp-playground.js";
 import { flows } from "./learn/flows.js";
 import { grows } from "./learn/grows.js";
+import { printEnds } from "./learn/print.js";
 
 for (const drawing of document.querySelectorAll<HTMLElement>("[data-grows]")) grows(drawing);
 for (const drawing of document.querySelectorAll<HTMLElement>("[data-flows]")) flows(drawing);
+printEnds(document.querySelectorAll<MoCoppPlayground>("mo-copp-playground"));
