@@ -6,7 +6,7 @@
 use fixedbitset::FixedBitSet;
 use rustc_hash::FxHashMap;
 
-use crate::belief::{BeliefId, BeliefSpace};
+use crate::belief::{BeliefId, BeliefSpace, Members};
 use crate::task::{Fact, StateId, StateSpace};
 
 /// A set of candidate goals, by their positions in the problem.
@@ -115,6 +115,29 @@ impl Survivors {
         &self.sets[class as usize]
     }
 
+    fn survivors(&mut self, states: &StateSpace, members: Members<'_>) -> GoalSet {
+        let mut union = GoalSet::none(self.goals.len());
+        match members {
+            Members::Listed(list) => {
+                let mut seen = FixedBitSet::with_capacity(self.sets.len());
+                for &state in list {
+                    seen.grow_and_insert(self.class(states, state) as usize);
+                }
+                for class in seen.ones() {
+                    union.0.union_with(&self.sets[class].0);
+                }
+            }
+            Members::Diagram(diagrams, set) => {
+                for (goal, condition) in self.goals.iter().enumerate() {
+                    if diagrams.satisfies(set, condition) {
+                        union.insert(goal);
+                    }
+                }
+            }
+        }
+        union
+    }
+
     /// The goals that survive in a belief of the observer at position `observer`.
     pub fn of_belief(
         &mut self,
@@ -127,14 +150,7 @@ impl Survivors {
         let number = if let Some(number) = known {
             number
         } else {
-            let mut seen = FixedBitSet::with_capacity(self.sets.len());
-            for &state in beliefs.members(belief) {
-                seen.grow_and_insert(self.class(states, state) as usize);
-            }
-            let mut union = GoalSet::none(self.goals.len());
-            for class in seen.ones() {
-                union.0.union_with(&self.sets[class].0);
-            }
+            let union = self.survivors(states, beliefs.members(belief));
             let number = self.number(union);
             let row = &mut self.of_beliefs[observer];
             row.resize(row.len().max(belief.index() + 1), None);

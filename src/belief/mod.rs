@@ -8,10 +8,11 @@
 
 pub mod diagram;
 mod space;
+mod state_sets;
 mod subsets;
 mod transition_table;
 
 pub use diagram::StateCount;
-pub use space::{BeliefId, BeliefSpace};
-pub use subsets::{Subsets, Successor};
+pub use space::{BeliefId, BeliefSpace, Keep};
+pub use state_sets::{Members, StateSets};
 pub use transition_table::TransitionTable;

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use fixedbitset::FixedBitSet;
 
-use super::subsets::{Subsets, Successor};
+use super::diagram::SymbolRelations;
+use super::state_sets::{Members, StateSets};
 use super::transition_table::TransitionTable;
 use crate::limits::{LimitReached, Limits};
 use crate::sensor::{Sensor, Symbol};
-use crate::task::{StateId, StateSpace};
+use crate::task::{StateId, StateSpace, Task};
 
 /// A belief met in a [`BeliefSpace`], by its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -21,6 +22,12 @@ impl BeliefId {
     }
 }
 
+/// What is kept of a belief of which only a sample is followed.
+pub trait Keep: std::fmt::Debug + Send + Sync {
+    /// Leaves out states until few enough are left. The choice depends on the states alone.
+    fn keep(&self, states: &StateSpace, found: &mut Vec<StateId>);
+}
+
 /// The beliefs of one observer met so far. States are numbered by a [`StateSpace`] that all
 /// observers of a problem share and that is handed to each call.
 #[derive(Debug, Clone)]
@@ -28,25 +35,38 @@ pub struct BeliefSpace {
     sensor: Arc<Sensor>,
     /// The symbol on each edge of the state space, in the same order.
     readings: Vec<Symbol>,
-    sets: Subsets,
+    sets: StateSets,
     transitions: TransitionTable,
     /// Which beliefs have all their updates remembered.
     updated: FixedBitSet,
-    successors: Vec<Successor>,
+    successors: Vec<(u32, BeliefId)>,
+    /// Where samples are followed in place of beliefs: each state of a sample is in the belief, as in a beam search.
+    sampling: Option<Arc<dyn Keep>>,
 }
 
 impl BeliefSpace {
-    /// No belief yet.
-    pub fn new(sensor: Arc<Sensor>) -> Self {
+    /// No belief yet, of the states of a task; `limits` say how many states of a belief are listed.
+    pub fn new(task: &Task, sensor: Arc<Sensor>, limits: &Limits) -> Self {
         let transitions = TransitionTable::new(sensor.symbol_count());
         Self {
             sensor,
             readings: Vec::new(),
-            sets: Subsets::default(),
+            sets: StateSets::new(task, limits),
             transitions,
             updated: FixedBitSet::new(),
             successors: Vec::new(),
+            sampling: None,
         }
+    }
+
+    /// From now on samples are followed in place of beliefs.
+    pub(crate) fn sample(&mut self, keep: Arc<dyn Keep>) {
+        self.sampling = Some(keep);
+    }
+
+    /// Whether a belief has outgrown its list.
+    pub(crate) fn has_unlisted(&self) -> bool {
+        self.sets.has_unlisted()
     }
 
     /// The sensor these beliefs follow.
@@ -65,14 +85,41 @@ impl BeliefSpace {
         readings as u64 + self.sets.bytes() + self.transitions.bytes()
     }
 
-    /// The states of a belief, in the order of their numbers.
-    pub fn members(&self, belief: BeliefId) -> &[StateId] {
+    /// The states of a belief.
+    pub fn members(&self, belief: BeliefId) -> Members<'_> {
         self.sets.members(belief)
     }
 
+    /// The states of a belief one by one, in the order of their numbers; none of one that is not listed, which is never so
+    /// where `limits` set no bound on lists.
+    pub fn list(&self, belief: BeliefId) -> &[StateId] {
+        self.sets.members(belief).listed().unwrap_or_default()
+    }
+
+    /// At most so many states of a belief, spread over it evenly.
+    pub fn some_members(
+        &self,
+        states: &mut StateSpace,
+        belief: BeliefId,
+        most: usize,
+    ) -> Vec<StateId> {
+        self.sets.some_members(states, belief, most)
+    }
+
     /// The number of the belief with these states, in any order, given one when it is new.
-    pub fn intern(&mut self, states: Vec<StateId>) -> BeliefId {
-        self.sets.intern(states)
+    pub fn intern(
+        &mut self,
+        states: &StateSpace,
+        mut list: Vec<StateId>,
+        limits: &Limits,
+    ) -> BeliefId {
+        if let Some(keep) = &self.sampling {
+            list.sort_unstable();
+            list.dedup();
+            keep.keep(states, &mut list);
+        }
+        let sensor = &self.sensor;
+        self.sets.intern(states, list, limits, || SymbolRelations::new(states.task(), sensor))
     }
 
     /// The symbol on an edge of the state space, by the edge's position there.
@@ -108,8 +155,29 @@ impl BeliefSpace {
             return Ok(BeliefId(known));
         }
         self.expand_members(states, belief, limits)?;
-        let readings = &self.readings;
-        let next = self.sets.image(states, belief, symbol.0, |edge| readings[edge].0);
+        if self.sampling.is_some() {
+            let mut next = Vec::new();
+            for &state in self.list(belief) {
+                for edge in states.edge_range(state) {
+                    if self.readings[edge] == symbol {
+                        next.push(states.all_edges()[edge].target);
+                    }
+                }
+            }
+            let next = self.intern(states, next, limits);
+            self.transitions.set(belief.0, symbol.0, next.0);
+            return Ok(next);
+        }
+        let (readings, sensor) = (&self.readings, &self.sensor);
+        let task = Arc::clone(states.task());
+        let next = self.sets.image(
+            states,
+            belief,
+            symbol.0,
+            |edge| readings[edge].0,
+            limits,
+            || SymbolRelations::new(&task, sensor),
+        )?;
         self.transitions.set(belief.0, symbol.0, next.0);
         Ok(next)
     }
@@ -125,15 +193,25 @@ impl BeliefSpace {
         belief: BeliefId,
         limits: &Limits,
     ) -> Result<(), LimitReached> {
-        if self.updated.contains(belief.index()) {
+        // The updates of a diagram or a sample are worked out one by one, as they are asked for.
+        let one_by_one = self.sampling.is_some() || self.members(belief).listed().is_none();
+        if one_by_one || self.updated.contains(belief.index()) {
             return Ok(());
         }
         self.expand_members(states, belief, limits)?;
         let mut found = std::mem::take(&mut self.successors);
-        let readings = &self.readings;
-        self.sets.images(states, belief, |edge| readings[edge].0, &mut found);
-        for next in &found {
-            self.transitions.set(belief.0, next.label, next.set.0);
+        let (readings, sensor) = (&self.readings, &self.sensor);
+        let task = Arc::clone(states.task());
+        self.sets.images(
+            states,
+            belief,
+            |edge| readings[edge].0,
+            limits,
+            || SymbolRelations::new(&task, sensor),
+            &mut found,
+        )?;
+        for (symbol, next) in &found {
+            self.transitions.set(belief.0, *symbol, next.0);
         }
         self.successors = found;
         self.updated.grow_and_insert(belief.index());

@@ -24,8 +24,6 @@ const SPARSE: usize = 256;
 #[derive(Debug, Clone, Default)]
 struct Image {
     label: u32,
-    /// A transition with the label.
-    edge: u32,
     targets: Vec<StateId>,
 }
 
@@ -34,10 +32,8 @@ struct Image {
 pub struct Successor {
     /// The label.
     pub label: u32,
-    /// The position of one transition with this label in the state space.
-    pub edge: u32,
-    /// The set of states the label leads to.
-    pub set: BeliefId,
+    /// The set of states the label leads to; none where it has more states than are listed.
+    pub set: Option<BeliefId>,
 }
 
 /// The sets met so far.
@@ -129,15 +125,22 @@ impl Subsets {
         Ok(())
     }
 
-    /// The set that one label leads to. All members are expanded; `label_of` reads the label of a
-    /// transition by its position.
+    /// A number for a set that is not listed.
+    pub fn reserve(&mut self) -> BeliefId {
+        self.ends.push(self.members.len());
+        BeliefId(self.ends.len() as u32 - 1)
+    }
+
+    /// The set that one label leads to; none where it has more than `most` states. All members are expanded; `label_of`
+    /// reads the label of a transition by its position.
     pub fn image(
         &mut self,
         states: &StateSpace,
         set: BeliefId,
         label: u32,
+        most: usize,
         label_of: impl Fn(usize) -> u32,
-    ) -> BeliefId {
+    ) -> Option<BeliefId> {
         self.stamps.resize(states.len(), 0);
         self.stamp += 1;
         let mut next = Vec::new();
@@ -150,17 +153,22 @@ impl Subsets {
                     next.push(target);
                 }
             }
+            if next.len() > most {
+                return None;
+            }
         }
-        self.intern(next)
+        Some(self.intern(next))
     }
 
-    /// The sets that all labels lead to, by label, into `found`. All members are expanded.
+    /// The sets that all labels lead to, by label, into `found`, those of at most `most` states listed. All members are
+    /// expanded.
     ///
     /// Linear in the transitions out of the set, but for putting each image in order.
     pub fn images(
         &mut self,
         states: &StateSpace,
         set: BeliefId,
+        most: usize,
         label_of: impl Fn(usize) -> u32,
         found: &mut Vec<Successor>,
     ) {
@@ -181,7 +189,7 @@ impl Subsets {
                         images.push(Image::default());
                     }
                     let image = &mut images[count];
-                    (image.label, image.edge) = (label, edge as u32);
+                    image.label = label;
                     image.targets.clear();
                     count += 1;
                 }
@@ -190,8 +198,8 @@ impl Subsets {
         }
         for image in &mut images[..count] {
             self.put_in_order(&mut image.targets, states.len());
-            let set = self.intern_sorted(&image.targets);
-            found.push(Successor { label: image.label, edge: image.edge, set });
+            let set = (image.targets.len() <= most).then(|| self.intern_sorted(&image.targets));
+            found.push(Successor { label: image.label, set });
         }
         found.sort_unstable_by_key(|successor| successor.label);
         self.images = images;

@@ -4,16 +4,18 @@
 //! profile that follows from a profile and the symbols of a step is remembered too, so that a
 //! transition met before costs one look-up, however many observers there are.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 
 use super::tuples::Tuples;
 use super::{Problem, SurvivorCounts};
-use crate::belief::{BeliefId, BeliefSpace, TransitionTable};
+use crate::belief::diagram::SymbolRelations;
+use crate::belief::{BeliefId, BeliefSpace, Keep, StateSets, TransitionTable};
 use crate::goal_difference::{GoalSet, Survivors};
 use crate::limits::{LimitReached, Limits};
-use crate::sensor::Symbol;
+use crate::sensor::{Sensor, Symbol};
 use crate::task::{Action, StateId, StateSpace};
 
 /// A profile met in a [`JointSpace`], by its number.
@@ -50,43 +52,100 @@ pub struct JointSpace {
     profiles: Tuples,
     /// The number of the combination of symbols on each edge.
     combinations: Vec<u32>,
-    combination_numbers: FxHashMap<Vec<u32>, u32>,
-    direct: bool,
+    numbers: CombinationNumbers,
     transitions: TransitionTable,
     survivors: Survivors,
     counts: Vec<Option<SurvivorCounts>>,
+    initial: Option<Node>,
     scratch: Vec<u32>,
 }
 
+/// Numbers of combinations of symbols, one of each observer.
+#[derive(Debug, Clone)]
+struct CombinationNumbers {
+    /// How many symbols each observer has, where a number can be worked out from the symbols.
+    direct: Option<Vec<u32>>,
+    /// Else those met so far, and the numbers of them.
+    met: Vec<Vec<u32>>,
+    numbers: FxHashMap<Vec<u32>, u32>,
+}
+
+impl CombinationNumbers {
+    fn number(&mut self, symbols: &[u32]) -> u32 {
+        if let Some(counts) = &self.direct {
+            return symbols
+                .iter()
+                .zip(counts)
+                .fold(0, |number, (symbol, count)| number * count + symbol);
+        }
+        if let Some(&number) = self.numbers.get(symbols) {
+            return number;
+        }
+        let number = self.met.len() as u32;
+        self.met.push(symbols.to_vec());
+        self.numbers.insert(symbols.to_vec(), number);
+        number
+    }
+
+    /// The symbol of one observer in a combination.
+    fn symbol(&self, number: u32, observer: usize) -> Symbol {
+        let Some(counts) = &self.direct else {
+            return Symbol(self.met[number as usize][observer]);
+        };
+        let behind: u32 = counts[observer + 1..].iter().product();
+        Symbol(number / behind % counts[observer])
+    }
+}
+
 impl JointSpace {
-    /// The empty space of a problem.
+    /// The empty space of a problem in which every belief is listed.
+    pub fn listing(problem: Arc<Problem>, limits: Limits) -> Self {
+        Self::new(problem, limits.with_listed(usize::MAX))
+    }
+
+    /// The empty space of a problem; `limits` say how many states of a belief are listed.
     pub fn new(problem: Arc<Problem>, limits: Limits) -> Self {
         let states = StateSpace::new(Arc::clone(problem.task()));
         let beliefs: Vec<BeliefSpace> = problem
             .observers()
             .iter()
-            .map(|observer| BeliefSpace::new(Arc::clone(&observer.sensor)))
+            .map(|observer| BeliefSpace::new(problem.task(), Arc::clone(&observer.sensor), &limits))
             .collect();
         let combinations = beliefs
             .iter()
             .try_fold(1_usize, |product, space| product.checked_mul(space.sensor().symbol_count()))
             .unwrap_or(usize::MAX);
-        let direct = combinations <= DIRECT_COMBINATIONS;
+        let counts = || beliefs.iter().map(|space| space.sensor().symbol_count() as u32).collect();
+        let numbers = CombinationNumbers {
+            direct: (combinations <= DIRECT_COMBINATIONS).then(counts),
+            met: Vec::new(),
+            numbers: FxHashMap::default(),
+        };
         let goals = problem.goals().iter().map(|goal| goal.condition.clone()).collect();
         Self {
             limits,
             states,
             profiles: Tuples::new(beliefs.len()),
             combinations: Vec::new(),
-            combination_numbers: FxHashMap::default(),
-            direct,
+            numbers,
             transitions: TransitionTable::new(combinations),
             survivors: Survivors::new(goals, beliefs.len()),
             counts: Vec::new(),
+            initial: None,
             scratch: Vec::new(),
             beliefs,
             problem,
         }
+    }
+
+    /// Follows samples of one observer's beliefs in place of the beliefs.
+    pub(crate) fn sample(&mut self, observer: usize, keep: Arc<dyn Keep>) {
+        self.beliefs[observer].sample(keep);
+    }
+
+    /// Whether a belief has outgrown its list.
+    pub(crate) fn has_unlisted(&self) -> bool {
+        self.beliefs.iter().any(BeliefSpace::has_unlisted)
     }
 
     /// The problem.
@@ -128,14 +187,19 @@ impl JointSpace {
 
     /// The initial state with the initial beliefs.
     pub fn initial(&mut self) -> Node {
+        if let Some(known) = self.initial {
+            return known;
+        }
         let problem = Arc::clone(&self.problem);
         let state = self.states.intern(problem.task().initial_state());
         let mut profile = Vec::with_capacity(self.beliefs.len());
         for (observer, beliefs) in problem.observers().iter().zip(&mut self.beliefs) {
             let members = observer.initial_belief.iter().map(|s| self.states.intern(s)).collect();
-            profile.push(beliefs.intern(members).0);
+            profile.push(beliefs.intern(&self.states, members, &self.limits).0);
         }
-        Node { state, profile: ProfileId(self.profiles.intern(&profile)) }
+        let initial = Node { state, profile: ProfileId(self.profiles.intern(&profile)) };
+        self.initial = Some(initial);
+        initial
     }
 
     /// The profile with these beliefs, one for each observer.
@@ -147,7 +211,17 @@ impl JointSpace {
 
     /// The number of the belief of one observer with these states, all met before.
     pub(crate) fn intern_belief(&mut self, observer: usize, states: Vec<StateId>) -> BeliefId {
-        self.beliefs[observer].intern(states)
+        self.beliefs[observer].intern(&self.states, states, &self.limits)
+    }
+
+    /// At most so many states of a belief, spread over it evenly.
+    pub(crate) fn some_members(
+        &mut self,
+        observer: usize,
+        belief: BeliefId,
+        most: usize,
+    ) -> Vec<StateId> {
+        self.beliefs[observer].some_members(&mut self.states, belief, most)
     }
 
     /// The belief of one observer in a profile.
@@ -181,33 +255,20 @@ impl JointSpace {
             for beliefs in &mut self.beliefs {
                 self.scratch.push(beliefs.reading(&self.states, edge).0);
             }
-            let number = if self.direct {
-                let mut number = 0;
-                for (symbol, beliefs) in self.scratch.iter().zip(&self.beliefs) {
-                    number = number * beliefs.sensor().symbol_count() as u32 + symbol;
-                }
-                number
-            } else if let Some(&number) = self.combination_numbers.get(&self.scratch) {
-                number
-            } else {
-                let number = self.combination_numbers.len() as u32;
-                self.combination_numbers.insert(self.scratch.clone(), number);
-                number
-            };
+            let number = self.numbers.number(&self.scratch);
             self.combinations.push(number);
         }
     }
 
-    /// The profile that follows when the actor takes an edge.
-    fn follow(&mut self, profile: ProfileId, edge: usize) -> Result<ProfileId, LimitReached> {
-        let combination = self.combinations[edge];
+    /// The profile that follows on the symbols of a combination.
+    fn follow(&mut self, profile: ProfileId, combination: u32) -> Result<ProfileId, LimitReached> {
         if let Some(known) = self.transitions.get(profile.0, combination) {
             return Ok(ProfileId(known));
         }
         let mut next = Vec::with_capacity(self.beliefs.len());
         for (observer, beliefs) in self.beliefs.iter_mut().enumerate() {
             let belief = BeliefId(self.profiles.get(profile.0)[observer]);
-            let symbol = beliefs.reading(&self.states, edge);
+            let symbol = self.numbers.symbol(combination, observer);
             next.push(beliefs.update(&mut self.states, belief, symbol, &self.limits)?.0);
         }
         let next = self.profiles.intern(&next);
@@ -233,7 +294,7 @@ impl JointSpace {
         for edge in self.states.edge_range(node.state) {
             let taken = self.states.all_edges()[edge];
             if keep(taken.target) {
-                let profile = self.follow(node.profile, edge)?;
+                let profile = self.follow(node.profile, self.combinations[edge])?;
                 found.push((taken.action, Node { state: taken.target, profile }));
             }
         }
@@ -265,13 +326,61 @@ impl JointSpace {
         edge: usize,
     ) -> Result<ProfileId, LimitReached> {
         self.combine_new_edges();
-        self.follow(profile, edge)
+        self.follow(profile, self.combinations[edge])
     }
 
-    /// The states met so far, and the numbers of combinations on their transitions.
-    pub(crate) fn labelled_states(&mut self) -> (&mut StateSpace, &[u32]) {
+    /// The profile after the symbols of a combination.
+    ///
+    /// # Errors
+    ///
+    /// The memory limit.
+    pub(crate) fn profile_after_combination(
+        &mut self,
+        profile: ProfileId,
+        combination: u32,
+    ) -> Result<ProfileId, LimitReached> {
+        self.follow(profile, combination)
+    }
+
+    /// The combinations of symbols that occur on transitions out of a set of states, with the sets they lead to. The states
+    /// of a list are expanded before.
+    ///
+    /// # Errors
+    ///
+    /// The memory limit.
+    pub(crate) fn word_images(
+        &mut self,
+        words: &mut StateSets,
+        set: BeliefId,
+        found: &mut Vec<(u32, BeliefId)>,
+    ) -> Result<(), LimitReached> {
         self.combine_new_edges();
-        (&mut self.states, &self.combinations)
+        let Self { problem, limits, states, combinations, numbers, .. } = self;
+        let numbers = RefCell::new(numbers);
+        let relations = || combination_relations(problem, &mut numbers.borrow_mut());
+        words.images(states, set, |edge| combinations[edge], limits, relations, found)
+    }
+
+    /// A state of a set from which a transition with a combination of symbols leads to a state, and its action.
+    pub(crate) fn word_predecessor(
+        &mut self,
+        words: &StateSets,
+        set: BeliefId,
+        combination: u32,
+        target: StateId,
+    ) -> Option<(StateId, Action)> {
+        self.combine_new_edges();
+        let combinations = &self.combinations;
+        let label = |edge: usize| combinations[edge];
+        let state = words.predecessor(&mut self.states, set, combination, target, label)?;
+        self.states.expand(state);
+        self.combine_new_edges();
+        let fits = |edge: &usize| {
+            self.combinations[*edge] == combination
+                && self.states.all_edges()[*edge].target == target
+        };
+        let edge = self.states.edge_range(state).find(fits)?;
+        Some((state, self.states.all_edges()[edge].action))
     }
 
     /// Whether the true goal holds in a state.
@@ -308,4 +417,15 @@ impl JointSpace {
         self.counts[profile.index()] = Some(counts);
         counts
     }
+}
+
+/// The operators behind each combination of symbols.
+fn combination_relations(problem: &Problem, numbers: &mut CombinationNumbers) -> SymbolRelations {
+    let sensors: Vec<&Sensor> = problem.observers().iter().map(|o| &*o.sensor).collect();
+    let mut symbols = Vec::new();
+    SymbolRelations::joint(problem.task(), &sensors, |seen| {
+        symbols.clear();
+        symbols.extend(seen.iter().map(|symbol| symbol.0));
+        numbers.number(&symbols)
+    })
 }

@@ -120,7 +120,8 @@ impl TaskBuilder {
     ///
     /// [`TaskError`] where an action could have two successors in a state, or facts that were
     /// declared exclusive are not.
-    pub fn build(self, initial: &[Fact], goal: &[Fact]) -> Result<Task, TaskError> {
+    pub fn build(mut self, initial: &[Fact], goal: &[Fact]) -> Result<Task, TaskError> {
+        self.drop_superfluous();
         let groups_of = self.groups_of();
         let mut held = vec![None; self.groups.len()];
         for &fact in initial {
@@ -216,6 +217,36 @@ impl TaskBuilder {
         Ok(())
     }
 
+    /// Leaves out an operator where another one of its action does the same and asks for no more.
+    fn drop_superfluous(&mut self) {
+        let mut by_action: Vec<Vec<usize>> = vec![Vec::new(); self.action_names.len()];
+        for (place, operator) in self.operators.iter().enumerate() {
+            by_action[operator.action.index()].push(place);
+        }
+        let mut kept = vec![true; self.operators.len()];
+        for places in by_action.iter().filter(|places| places.len() > 1) {
+            let effects =
+                |place: usize| (&self.operators[place].add, &self.operators[place].delete);
+            let mut places = places.clone();
+            places
+                .sort_by_key(|&place| (effects(place), self.operators[place].preconditions.len()));
+            for alike in places.chunk_by(|&a, &b| effects(a) == effects(b)) {
+                for (count, &place) in alike.iter().enumerate() {
+                    let asked = &self.operators[place].preconditions;
+                    kept[place] = !alike[..count].iter().any(|&other| {
+                        let less = &self.operators[other].preconditions;
+                        kept[other] && less.iter().all(|fact| asked.contains(fact))
+                    });
+                }
+            }
+        }
+        let mut place = 0;
+        self.operators.retain(|_| {
+            place += 1;
+            kept[place - 1]
+        });
+    }
+
     /// No two operators of an action may be applicable in one state.
     fn check_actions(&self, groups_of: &[Vec<u32>]) -> Result<(), TaskError> {
         let mut by_action: Vec<Vec<&Operator>> = vec![Vec::new(); self.action_names.len()];
@@ -274,6 +305,22 @@ mod tests {
         task.operator("go", &[a], &[b], &[a]);
         task.operator("go", &[b], &[a], &[b]);
         assert!(task.build(&[a], &[b]).is_ok());
+    }
+
+    #[test]
+    fn an_operator_that_another_makes_superfluous_is_left_out() {
+        let mut task = TaskBuilder::default();
+        let (cup, milk, tea) = (task.fact("cup"), task.fact("milk"), task.fact("tea"));
+        task.operator("make tea", &[cup, milk], &[tea], &[]);
+        task.operator("make tea", &[cup], &[tea], &[]);
+        task.operator("make tea", &[cup], &[tea], &[]);
+        let built = task.clone().build(&[cup], &[tea]).unwrap();
+        assert_eq!(built.operators().len(), 1);
+        assert_eq!(built.operators()[0].preconditions, [cup].into());
+        // With another effect it is another operator.
+        task.operator("make tea", &[cup, milk], &[tea], &[milk]);
+        let error = task.build(&[cup], &[tea]).map(|_| ()).unwrap_err();
+        assert_eq!(error, TaskError::AmbiguousAction { action: "make tea".into() });
     }
 
     /// Walking and pushing ask for the same cell of the robot, then for different things in front.

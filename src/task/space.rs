@@ -101,6 +101,11 @@ impl StateSpace {
         &self.words[id.index() * width..][..width]
     }
 
+    /// A state by itself.
+    pub fn state(&self, id: StateId) -> State {
+        State::from_words(self.words(id).to_vec())
+    }
+
     /// The number of a state, given one when it is new.
     pub fn intern(&mut self, state: &State) -> StateId {
         self.intern_words(state.words())

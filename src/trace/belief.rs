@@ -12,11 +12,6 @@ use crate::limits::{LimitReached, Limits};
 use crate::sensor::{Sensor, Symbol};
 use crate::task::{Fact, State, Task};
 
-/// The most states of a belief that is listed. A longer list takes longer to go through than a diagram takes to make
-/// (measured on Logistics: 20,000 states are listed in about the time that the diagrams of a task
-/// take at first).
-pub(super) const LISTED_STATES: usize = 20_000;
-
 /// A set of states that an observer holds possible, in one of two forms with the same answers.
 #[derive(Debug, Clone)]
 pub struct TracedBelief(Form);

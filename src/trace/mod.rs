@@ -17,8 +17,6 @@ pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
 pub use reachable_goals::ReachableGoals;
 pub use validator::{Achievement, InvalidPlan, validate};
 
-use belief::LISTED_STATES;
-
 use crate::belief::StateCount;
 use crate::belief::diagram::suits;
 use crate::goal_difference::GoalSet;
@@ -129,7 +127,7 @@ impl<'a> Replay<'a> {
         let beliefs = problem.observers().iter().map(first).collect();
         let operators = OperatorsByFact::new(task);
         // Where no diagram is affordable, all beliefs are listed.
-        let listed = if suits(task) { LISTED_STATES } else { usize::MAX };
+        let listed = if suits(task) { crate::limits::LISTED_STATES } else { usize::MAX };
         Ok(Self { problem, operators, path, states, at: 0, beliefs, listed })
     }
 

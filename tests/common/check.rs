@@ -66,6 +66,11 @@ impl Judge {
         let mut options = Options::new(solver);
         options.horizon = horizon.map_or(Horizon::Any, Horizon::Steps);
         options.bounds = wish.bounds();
+        // The searches find the same whether beliefs are lists or diagrams, so half of them get diagrams.
+        let searches = !matches!(solver, Solver::Exact | Solver::Ip);
+        if searches && (horizon.unwrap_or(1) + wish.k.unwrap_or(0)) % 2 == 1 {
+            options.limits = options.limits.with_listed(2);
+        }
         options
     }
 

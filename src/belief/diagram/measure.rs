@@ -89,6 +89,25 @@ impl Diagrams {
         sum
     }
 
+    /// Whether a set has more than so many states. Each node is gone through once, however many sets are asked for.
+    pub fn has_more_than(&mut self, set: SetId, states: usize) -> bool {
+        for id in self.counts.len()..self.len() {
+            let below = self.branches(SetId(id as u32)).iter();
+            let count =
+                below.map(|branch| self.counts[branch.below.index()]).fold(0, u64::saturating_add);
+            self.counts.push(count);
+        }
+        self.counts[set.index()] > states as u64
+    }
+
+    /// At most so many states of a set, spread over it evenly; all of them where there are no more.
+    pub fn spread_states(&self, set: SetId, most: usize) -> Vec<State> {
+        let mut states = Vec::new();
+        let mut spread = Spread { done: FxHashMap::default(), values: Vec::new() };
+        spread.walk(self, set, most, &mut states);
+        states
+    }
+
     /// In how many states of a set each fact of the task holds, by the facts' numbers. Linear in its nodes.
     pub fn fact_counts(&self, set: SetId) -> Vec<StateCount> {
         let task = self.task();
@@ -180,6 +199,40 @@ impl Diagrams {
             values.push(branch.value);
             self.walk(branch.below, most, values, states);
             values.pop();
+        }
+    }
+}
+
+/// A walk to states that are spread over a set.
+struct Spread {
+    done: FxHashMap<SetId, StateCount>,
+    values: Vec<u32>,
+}
+
+impl Spread {
+    /// Each branch has its part of the states wanted.
+    fn walk(&mut self, diagrams: &Diagrams, set: SetId, most: usize, states: &mut Vec<State>) {
+        if most == 0 || set == SetId::EMPTY {
+            return;
+        }
+        if set == SetId::END {
+            states.push(diagrams.task().layout().state_of_values(&self.values));
+            return;
+        }
+        let all = diagrams.count_below(set, &mut self.done).as_f64();
+        let mut before = 0.0;
+        for branch in diagrams.branches(set) {
+            let count = diagrams.count_below(branch.below, &mut self.done).as_f64();
+            let part = |count: f64| (count / all * most as f64).floor() as usize;
+            let wanted = if all <= most as f64 {
+                count as usize
+            } else {
+                part(before + count) - part(before)
+            };
+            before += count;
+            self.values.push(branch.value);
+            self.walk(diagrams, branch.below, wanted, states);
+            self.values.pop();
         }
     }
 }

@@ -9,11 +9,11 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::limits::LimitReached;
 use crate::sensor::{Sensor, Symbol};
-use crate::task::{Fact, Operator, Task};
+use crate::task::{Fact, Operator, OperatorId, State, Task};
 
 use super::store::{Branch, Diagrams, SetId};
 
@@ -159,7 +159,55 @@ impl SymbolRelations {
     /// The relations of a sensor. Linear in the operators times the levels, and in the cases of the sensor times the facts
     /// they look at.
     pub fn new(task: &Task, sensor: &Sensor) -> Self {
-        let mut relations = Self {
+        let mut relations = Self::empty();
+        let mut numbers = Numbers::default();
+        let mut roots: Vec<Vec<Tail>> = vec![Vec::new(); sensor.symbol_count()];
+        for (id, operator) in task.operator_ids() {
+            for (step, symbol) in split(task, id, vec![Step::of(task, operator)], sensor) {
+                roots[symbol.index()].extend(relations.tail(task, &step, &mut numbers));
+            }
+        }
+        relations.symbols = roots.into_iter().map(|tails| relations.set(tails)).collect();
+        relations
+    }
+
+    /// The relations of all sensors read together: the symbol of a step is the number of the combination of their symbols.
+    pub fn joint(
+        task: &Task,
+        sensors: &[&Sensor],
+        mut number: impl FnMut(&[Symbol]) -> u32,
+    ) -> Self {
+        let mut relations = Self::empty();
+        let mut numbers = Numbers::default();
+        let mut roots: Vec<Vec<Tail>> = Vec::new();
+        for (id, operator) in task.operator_ids() {
+            let mut steps = vec![(Step::of(task, operator), Vec::new())];
+            for sensor in sensors {
+                let mut next = Vec::new();
+                for (step, seen) in steps {
+                    for (step, symbol) in split(task, id, vec![step], sensor) {
+                        let mut seen: Vec<Symbol> = seen.clone();
+                        seen.push(symbol);
+                        next.push((step, seen));
+                    }
+                }
+                steps = next;
+            }
+            for (step, seen) in steps {
+                let Some(tail) = relations.tail(task, &step, &mut numbers) else { continue };
+                let label = number(&seen) as usize;
+                if roots.len() <= label {
+                    roots.resize(label + 1, Vec::new());
+                }
+                roots[label].push(tail);
+            }
+        }
+        relations.symbols = roots.into_iter().map(|tails| relations.set(tails)).collect();
+        relations
+    }
+
+    fn empty() -> Self {
+        Self {
             tails: Vec::new(),
             maps: Vec::new(),
             sets: Vec::new(),
@@ -167,25 +215,12 @@ impl SymbolRelations {
             steps: FxHashMap::default(),
             symbols: Vec::new(),
             images: FxHashMap::default(),
-        };
-        let mut numbers = Numbers::default();
-        let mut roots: Vec<Vec<Tail>> = vec![Vec::new(); sensor.symbol_count()];
-        for (id, operator) in task.operator_ids() {
-            let mut left = vec![Step::of(task, operator)];
-            for (facts, symbol) in sensor.cases(id) {
-                for step in left.iter().filter_map(|step| step.with(task, facts)) {
-                    let tail = relations.tail(task, &step, &mut numbers);
-                    roots[symbol.index()].extend(tail);
-                }
-                left = left.iter().flat_map(|step| step.without(task, facts)).collect();
-            }
-            for step in left {
-                let tail = relations.tail(task, &step, &mut numbers);
-                roots[sensor.otherwise(id).index()].extend(tail);
-            }
         }
-        relations.symbols = roots.into_iter().map(|tails| relations.set(tails)).collect();
-        relations
+    }
+
+    /// How many symbols there are.
+    pub fn len(&self) -> usize {
+        self.symbols.len()
     }
 
     /// The tail of a step at the first level; none where it can never be taken.
@@ -233,12 +268,7 @@ impl SymbolRelations {
         }
         let mut found: BTreeMap<u32, Vec<Tail>> = BTreeMap::new();
         for &tail in &self.sets[set.0 as usize] {
-            let Some(place) = tail.0.checked_sub(1) else {
-                found.entry(value).or_default().push(KEEPS);
-                continue;
-            };
-            let (map, below) = self.tails[place as usize];
-            if let Some(next) = self.maps[map as usize].get(value as usize).copied().flatten() {
+            if let Some((next, below)) = self.follow(tail, value) {
                 found.entry(next).or_default().push(below);
             }
         }
@@ -269,8 +299,38 @@ impl SymbolRelations {
         symbol: Symbol,
     ) -> Result<SetId, LimitReached> {
         let next = self.image(diagrams, belief, self.symbols[symbol.index()])?;
+        if diagrams.is_tight(24 * self.images.len() as u64) {
+            // What has been worked out can be worked out again.
+            self.images = FxHashMap::default();
+            diagrams.forget_unions();
+        }
         diagrams.check(self.bytes())?;
         Ok(next)
+    }
+
+    /// A state of `belief` from which a step that gives the symbol leads to a state.
+    pub fn predecessor(
+        &self,
+        diagrams: &Diagrams,
+        belief: SetId,
+        symbol: Symbol,
+        target: &State,
+    ) -> Option<State> {
+        let layout = diagrams.task().layout();
+        let wanted: Vec<u32> = (0..layout.group_count())
+            .map(|level| layout.group_value(target.words(), level) as u32)
+            .collect();
+        let tails = self.sets[self.symbols.get(symbol.index())?.0 as usize].to_vec();
+        let mut before = Backwards { wanted, dead: FxHashSet::default(), values: Vec::new() };
+        before.walk(self, diagrams, belief, tails).then(|| layout.state_of_values(&before.values))
+    }
+
+    /// Where a tail leads from an old value: the new one, and what is left to do.
+    fn follow(&self, tail: Tail, value: u32) -> Option<(u32, Tail)> {
+        let Some(place) = tail.0.checked_sub(1) else { return Some((value, KEEPS)) };
+        let (map, below) = self.tails[place as usize];
+        let next = self.maps[map as usize].get(value as usize).copied().flatten()?;
+        Some((next, below))
     }
 
     fn image(
@@ -314,4 +374,59 @@ impl SymbolRelations {
 struct Numbers {
     maps: FxHashMap<Map, u32>,
     tails: FxHashMap<(usize, u32, Tail), Tail>,
+}
+
+/// The steps of an operator by what a sensor reads on them.
+fn split(task: &Task, id: OperatorId, mut left: Vec<Step>, sensor: &Sensor) -> Vec<(Step, Symbol)> {
+    let mut found = Vec::new();
+    for (facts, symbol) in sensor.cases(id) {
+        found.extend(left.iter().filter_map(|step| Some((step.with(task, facts)?, symbol))));
+        left = left.iter().flat_map(|step| step.without(task, facts)).collect();
+    }
+    found.extend(left.into_iter().map(|step| (step, sensor.otherwise(id))));
+    found
+}
+
+/// A walk down a diagram to a state that steps lead from to a wanted one.
+struct Backwards {
+    wanted: Vec<u32>,
+    dead: FxHashSet<(SetId, Vec<Tail>)>,
+    values: Vec<u32>,
+}
+
+impl Backwards {
+    fn walk(
+        &mut self,
+        relations: &SymbolRelations,
+        diagrams: &Diagrams,
+        set: SetId,
+        tails: Vec<Tail>,
+    ) -> bool {
+        if set == SetId::EMPTY || tails.is_empty() {
+            return false;
+        }
+        if set == SetId::END {
+            return true;
+        }
+        if self.dead.contains(&(set, tails.clone())) {
+            return false;
+        }
+        let wanted = self.wanted[diagrams.level(set) as usize];
+        for &Branch { value, below } in diagrams.branches(set) {
+            let mut left: Vec<Tail> = tails
+                .iter()
+                .filter_map(|&tail| relations.follow(tail, value))
+                .filter_map(|(next, left)| (next == wanted).then_some(left))
+                .collect();
+            left.sort_unstable();
+            left.dedup();
+            self.values.push(value);
+            if self.walk(relations, diagrams, below, left) {
+                return true;
+            }
+            self.values.pop();
+        }
+        self.dead.insert((set, tails));
+        false
+    }
 }

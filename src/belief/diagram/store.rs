@@ -17,7 +17,7 @@ impl SetId {
     /// The set without states.
     pub const EMPTY: Self = Self(0);
     /// Below the last level: the one way to go on.
-    pub(super) const END: Self = Self(1);
+    pub(crate) const END: Self = Self(1);
 
     /// Its number.
     pub fn index(self) -> usize {
@@ -47,6 +47,8 @@ pub struct Diagrams {
     levels: Vec<u32>,
     table: HashTable<u32>,
     unions: FxHashMap<(SetId, SetId), SetId>,
+    /// How many states the first sets have, `u64::MAX` for as many or more. A node is numbered after those below it.
+    pub(super) counts: Vec<u64>,
     limits: Limits,
     since_check: u32,
 }
@@ -66,6 +68,7 @@ impl Diagrams {
             levels: vec![0, 0],
             table: HashTable::new(),
             unions: FxHashMap::default(),
+            counts: vec![0, 1],
             limits,
             since_check: 0,
         }
@@ -83,7 +86,9 @@ impl Diagrams {
 
     /// Bytes in use, counted by contents.
     pub fn bytes(&self) -> u64 {
-        let nodes = size_of::<Branch>() * self.branches.len() + 24 * self.ends.len();
+        let nodes = size_of::<Branch>() * self.branches.len()
+            + 24 * self.ends.len()
+            + 8 * self.counts.len();
         (nodes + 24 * self.unions.len()) as u64
     }
 
@@ -100,6 +105,21 @@ impl Diagrams {
     pub fn branches(&self, set: SetId) -> &[Branch] {
         let begin = set.index().checked_sub(1).map_or(0, |before| self.ends[before]);
         &self.branches[begin..self.ends[set.index()]]
+    }
+
+    /// How many sets there are.
+    pub(super) fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether what is remembered beside the nodes takes more than a part of the memory limit.
+    pub(super) fn is_tight(&self, bytes: u64) -> bool {
+        bytes + 24 * self.unions.len() as u64 > self.limits.bytes / 3
+    }
+
+    /// Forgets the unions that were worked out.
+    pub(super) fn forget_unions(&mut self) {
+        self.unions = FxHashMap::default();
     }
 
     /// The level of a node.
@@ -239,6 +259,35 @@ impl Diagrams {
         wanted.sort_unstable();
         wanted.dedup();
         wanted.is_sorted_by(|a, b| a.0 < b.0).then_some(wanted)
+    }
+
+    /// A state of the set that satisfies a conjunction of facts.
+    pub fn find(&self, set: SetId, condition: &[Fact]) -> Option<State> {
+        let wanted = self.wanted(condition)?;
+        let (mut dead, mut values) = (rustc_hash::FxHashSet::default(), Vec::new());
+        let mut at = set;
+        if !self.reaches(at, &wanted, &mut dead) {
+            return None;
+        }
+        while at != SetId::END {
+            let left = &wanted[wanted.partition_point(|(level, _)| *level < self.level(at))..];
+            let (value, below) = self.branches(at).iter().find_map(|branch| {
+                let left = match left.first() {
+                    Some(&(level, value)) if level == self.level(at) => {
+                        if value != branch.value {
+                            return None;
+                        }
+                        &left[1..]
+                    }
+                    _ => left,
+                };
+                let fits = self.reaches(branch.below, left, &mut dead);
+                fits.then_some((branch.value, branch.below))
+            })?;
+            values.push(value);
+            at = below;
+        }
+        Some(self.task.layout().state_of_values(&values))
     }
 
     /// Whether some state of the set satisfies a conjunction of facts. Linear in the nodes of the set; makes none.

@@ -101,9 +101,8 @@ impl BeliefSamples {
 
     /// The full belief, where it is known and small enough to be the sample.
     pub(super) fn whole(&self, joint: &JointSpace, sample: SampleId) -> Option<BeliefId> {
-        let small =
-            |belief: &BeliefId| joint.beliefs(self.observer).members(*belief).len() <= WHOLE;
-        self.known(sample).filter(small)
+        let members = |belief| joint.beliefs(self.observer).members(belief).listed();
+        self.known(sample).filter(|&belief| members(belief).is_some_and(|list| list.len() <= WHOLE))
     }
 
     fn add(&mut self, before: u32, symbol: Symbol, belief: u32) -> SampleId {
@@ -119,7 +118,7 @@ impl BeliefSamples {
     /// The sample of a belief.
     pub(super) fn of_belief(
         &mut self,
-        joint: &JointSpace,
+        joint: &mut JointSpace,
         values: &mut GoalValues,
         belief: BeliefId,
     ) -> SampleId {
@@ -129,9 +128,8 @@ impl BeliefSamples {
         }
         let members = joint.beliefs(self.observer).members(belief);
         self.found.clear();
-        if members.len() > WHOLE {
-            let stride = members.len().div_ceil(LOOKED_AT);
-            self.found.extend(members.iter().step_by(stride));
+        if members.listed().is_none_or(|list| list.len() > WHOLE) {
+            self.found = joint.some_members(self.observer, belief, LOOKED_AT);
             self.keep_nearest(joint, values);
         }
         let sample = self.add(UNKNOWN, Symbol(0), belief.0);
@@ -286,7 +284,7 @@ impl BeliefSamples {
     fn members<'a>(&'a self, joint: &'a JointSpace, sample: SampleId) -> &'a [StateId] {
         let Origin { begin, count, .. } = self.origins[sample.0 as usize];
         match self.whole(joint, sample) {
-            Some(belief) => joint.beliefs(self.observer).members(belief),
+            Some(belief) => joint.beliefs(self.observer).list(belief),
             None => &self.states[begin as usize..][..count as usize],
         }
     }

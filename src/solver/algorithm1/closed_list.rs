@@ -22,6 +22,9 @@ pub(super) struct ClosedList {
     bytes: u64,
 }
 
+/// So many states of a belief that is not listed are put together in subsets.
+const SAMPLED: usize = 64;
+
 /// Goes through the Δ-subsets of a belief that contain one state.
 #[derive(Debug)]
 struct Subsets<'a> {
@@ -103,13 +106,30 @@ impl ClosedList {
     }
 
     /// Closes the first combination that is open for a node; false when there is none.
-    pub(super) fn close(&mut self, joint: &JointSpace, node: Node, steps: u32) -> bool {
+    pub(super) fn close(&mut self, joint: &mut JointSpace, node: Node, steps: u32) -> bool {
         let observers = joint.problem().observers().len();
+        // Of beliefs that are not listed some states stand for all.
+        let samples: Vec<Option<Vec<StateId>>> = (0..observers)
+            .map(|observer| {
+                let belief = joint.belief(node.profile, observer);
+                if joint.beliefs(observer).members(belief).listed().is_some() {
+                    return None;
+                }
+                let mut sample = joint.some_members(observer, belief, SAMPLED);
+                sample.push(node.state);
+                sample.sort_unstable();
+                sample.dedup();
+                Some(sample)
+            })
+            .collect();
         let mut seed = node.profile.index();
         let mut subsets: Vec<Subsets<'_>> = (0..observers)
             .map(|observer| {
                 let belief = joint.belief(node.profile, observer);
-                let members = joint.beliefs(observer).members(belief);
+                let members = match &samples[observer] {
+                    Some(sample) => sample,
+                    None => joint.beliefs(observer).list(belief),
+                };
                 Subsets::new(members, node.state, self.size, &mut seed)
             })
             .collect();

@@ -198,7 +198,7 @@ impl SearchSpace for Beliefs {
         self.scratch.clear();
         for (index, samples) in self.samples.iter_mut().enumerate() {
             let belief = self.joint.belief(profile, index);
-            self.scratch.push(samples.of_belief(&self.joint, &mut self.values, belief).0);
+            self.scratch.push(samples.of_belief(&mut self.joint, &mut self.values, belief).0);
         }
         Key { state, samples: self.combinations.intern(&self.scratch), steps: 0 }
     }
@@ -262,7 +262,7 @@ impl SearchSpace for Beliefs {
         if self.expanded.contains(&(node, key.steps)) {
             return Ok(Admission::Drop);
         }
-        if !self.closed_list.close(&self.joint, node, key.steps) {
+        if !self.closed_list.close(&mut self.joint, node, key.steps) {
             return Ok(Admission::Defer);
         }
         self.expanded.insert((node, key.steps));

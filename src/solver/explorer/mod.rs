@@ -77,7 +77,7 @@ pub(super) struct Explorer {
 
 impl Explorer {
     pub(super) fn new(problem: Arc<Problem>, options: &Options, lengths: Lengths) -> Self {
-        let mut joint = JointSpace::new(problem, options.limits);
+        let mut joint = JointSpace::listing(problem, options.limits);
         let bounds = options.heeded_bounds();
         let membership = match lengths {
             Lengths::Any => Membership::First,

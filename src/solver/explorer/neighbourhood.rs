@@ -51,7 +51,7 @@ impl Neighbourhood {
         options: &Options,
         asked: Option<usize>,
     ) -> Self {
-        let mut joint = JointSpace::new(problem, options.limits);
+        let mut joint = JointSpace::listing(problem, options.limits);
         let membership = asked.map_or(Membership::First, |_| Membership::Every);
         let bounds = options.bounds.clone();
         let named = Bounds { at_least: None, at_most: None, ..bounds.clone() };

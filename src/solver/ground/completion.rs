@@ -37,7 +37,7 @@ pub(in crate::solver) fn complete(
         let Some(target) = first.map(|edge| edge.target) else { return Ok(None) };
         for observer in 0..joint.problem().observers().len() {
             let belief = joint.belief(node.profile, observer);
-            *room = room.saturating_sub(joint.beliefs(observer).members(belief).len());
+            *room = room.saturating_sub(joint.beliefs(observer).list(belief).len());
         }
         if *room == 0 {
             return Ok(None);

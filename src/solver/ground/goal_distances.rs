@@ -7,14 +7,18 @@
 //! far from a goal as its nearest state. No state is expanded for any of this.
 
 use super::transition_graphs::TransitionGraphs;
-use crate::belief::BeliefId;
+use crate::belief::diagram::{Diagrams, SetId};
+use crate::belief::{BeliefId, Members};
 use crate::problem::{JointSpace, Problem};
-use crate::task::{StateId, Task};
+use crate::task::{StateId, StateSpace, Task};
 
 /// A goal that cannot be reached any more.
 pub(in crate::solver) const NEVER: u8 = u8::MAX;
 /// Distances beyond this are not told apart.
-const FARTHEST: u32 = NEVER as u32 - 1;
+const FARTHEST: u32 = NEVER as u32 - 2;
+
+/// Distances of a node that are not worked out, in place of the first.
+const UNKNOWN: u8 = NEVER - 1;
 
 /// The part of the memory limit that distances of states may take: an eighth. Further states count
 /// as 0 away from every goal, which makes the order worse and nothing wrong.
@@ -50,6 +54,8 @@ pub(in crate::solver) struct GoalDistances {
     /// By observer: by belief, then by goal; and which rows are known.
     beliefs: Vec<Vec<u8>>,
     known: Vec<Vec<bool>>,
+    /// By observer: the least distances of the goals from the states below a node of its diagrams.
+    nodes: Vec<Vec<u8>>,
 }
 
 impl GoalDistances {
@@ -83,6 +89,7 @@ impl GoalDistances {
             room: (memory / PART_OF_MEMORY).min(usize::MAX as u64) as usize,
             beliefs: vec![Vec::new(); problem.observers().len() + 1],
             known: vec![Vec::new(); problem.observers().len() + 1],
+            nodes: vec![Vec::new(); problem.observers().len() + 1],
         }
     }
 
@@ -105,16 +112,24 @@ impl GoalDistances {
             states: rows,
             beliefs: vec![Vec::new(); problem.observers().len() + 1],
             known: vec![Vec::new(); problem.observers().len() + 1],
+            nodes: vec![Vec::new(); problem.observers().len() + 1],
         }
     }
 
     /// Bytes in use, counted by contents.
     pub(in crate::solver) fn bytes(&self) -> u64 {
-        let rows: usize = self.beliefs.iter().map(Vec::len).sum();
+        let rows: usize = self.beliefs.iter().chain(&self.nodes).map(Vec::len).sum();
         (self.states.len() + rows) as u64
     }
 
-    fn measure(&mut self, task: &Task, words: &[u64]) {
+    /// The distance of each goal from a state, worked out anew.
+    pub(in crate::solver) fn measured(&self, states: &StateSpace, state: StateId) -> Vec<u8> {
+        let mut row = Vec::with_capacity(self.goals.len());
+        self.measure(states.task(), states.words(state), &mut row);
+        row
+    }
+
+    fn measure(&self, task: &Task, words: &[u64], row: &mut Vec<u8>) {
         for goal in 0..self.goals.len() {
             let mut total = 0_u32;
             for &table in &self.goals[goal] {
@@ -126,7 +141,7 @@ impl GoalDistances {
                     (Some(distance), Combine::Max) => total.max(distance),
                 };
             }
-            self.states.push(if total == u32::MAX { NEVER } else { total.min(FARTHEST) as u8 });
+            row.push(if total == u32::MAX { NEVER } else { total.min(FARTHEST) as u8 });
         }
     }
 
@@ -134,10 +149,12 @@ impl GoalDistances {
     pub(in crate::solver) fn update(&mut self, joint: &JointSpace) {
         let width = self.goals.len();
         let states = joint.states();
-        while self.states.len() + width <= self.room && self.states.len() < width * states.len() {
-            let state = StateId((self.states.len() / width) as u32);
-            self.measure(states.task(), states.words(state));
+        let mut rows = std::mem::take(&mut self.states);
+        while rows.len() + width <= self.room && rows.len() < width * states.len() {
+            let state = StateId((rows.len() / width) as u32);
+            self.measure(states.task(), states.words(state), &mut rows);
         }
+        self.states = rows;
     }
 
     /// The distance of each goal from a state.
@@ -146,29 +163,95 @@ impl GoalDistances {
         self.states.get(state.index() * width..(state.index() + 1) * width)
     }
 
+    fn of_list(&self, list: &[StateId]) -> Vec<u8> {
+        let width = self.goals.len();
+        let mut least = vec![NEVER; width];
+        for &state in list {
+            let distances = self.states.get(state.index() * width..(state.index() + 1) * width);
+            let Some(distances) = distances else {
+                least.fill(0);
+                break;
+            };
+            for (least, &distance) in least.iter_mut().zip(distances) {
+                *least = distance.min(*least);
+            }
+        }
+        least
+    }
+
+    /// The least distance of each goal from the states of a diagram: level by level, each node once.
+    fn of_diagram(&mut self, observer: usize, diagrams: &Diagrams, set: SetId) -> Vec<u8> {
+        if self.tables.is_empty() {
+            // True distances are of states that are listed.
+            return vec![0; self.goals.len()];
+        }
+        let mut nodes = std::mem::take(&mut self.nodes[observer]);
+        self.below(diagrams, set, &mut nodes);
+        let width = self.goals.len();
+        let least = nodes[set.index() * width..][..width].to_vec();
+        self.nodes[observer] = nodes;
+        least
+    }
+
+    fn below(&self, diagrams: &Diagrams, set: SetId, nodes: &mut Vec<u8>) {
+        let width = self.goals.len();
+        let row = set.index() * width..(set.index() + 1) * width;
+        if nodes.len() < row.end {
+            nodes.resize(row.end, UNKNOWN);
+        }
+        if nodes[row.start] != UNKNOWN {
+            return;
+        }
+        if set == SetId::EMPTY || set == SetId::END {
+            nodes[row].fill(if set == SetId::END { 0 } else { NEVER });
+            return;
+        }
+        let mut least = vec![NEVER; width];
+        let level = diagrams.level(set) as usize;
+        for branch in diagrams.branches(set) {
+            self.below(diagrams, branch.below, nodes);
+            let below = &nodes[branch.below.index() * width..][..width];
+            for (goal, least) in least.iter_mut().enumerate() {
+                let mut total = below[goal];
+                for &table in &self.goals[goal] {
+                    let table = &self.tables[table as usize];
+                    if table.group != level || total == NEVER {
+                        continue;
+                    }
+                    let here = table.distances[branch.value as usize];
+                    total = here.map_or(NEVER, |here| self.combine(total, here));
+                }
+                *least = total.min(*least);
+            }
+        }
+        nodes[row].copy_from_slice(&least);
+    }
+
+    fn combine(&self, total: u8, distance: u32) -> u8 {
+        let total = u32::from(total);
+        let both = match self.combine {
+            Combine::Sum => total.saturating_add(distance),
+            Combine::Max => total.max(distance),
+        };
+        both.min(FARTHEST) as u8
+    }
+
     /// The distance of each goal from a belief of an observer, or of a set with the number of all
     /// observers. The states are those of the belief.
     pub(in crate::solver) fn of_belief(
         &mut self,
         observer: usize,
         belief: BeliefId,
-        members: &[StateId],
+        members: Members<'_>,
     ) -> &[u8] {
         let width = self.goals.len();
         let row = belief.index() * width..(belief.index() + 1) * width;
         let known = self.known[observer].get(belief.index()).copied().unwrap_or(false);
         if !known {
-            let mut least = vec![NEVER; width];
-            for &state in members {
-                let distances = self.states.get(state.index() * width..(state.index() + 1) * width);
-                let Some(distances) = distances else {
-                    least.fill(0);
-                    break;
-                };
-                for (least, &distance) in least.iter_mut().zip(distances) {
-                    *least = distance.min(*least);
-                }
-            }
+            let least = match members {
+                Members::Listed(list) => self.of_list(list),
+                Members::Diagram(diagrams, set) => self.of_diagram(observer, diagrams, set),
+            };
             let rows = &mut self.beliefs[observer];
             rows.resize(rows.len().max(row.end), NEVER);
             rows[row.clone()].copy_from_slice(&least);

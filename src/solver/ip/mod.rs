@@ -97,7 +97,7 @@ pub(super) fn encode(
     options: &Options,
     horizon: usize,
 ) -> Result<Option<Encoded>, LimitReached> {
-    let mut joint = JointSpace::new(problem, options.limits);
+    let mut joint = JointSpace::listing(problem, options.limits);
     let bounds: Bounds = options.heeded_bounds();
     let mut encoded = match options.encoding {
         Encoding::Paper => paper::encode(&mut joint, &bounds, horizon)?,

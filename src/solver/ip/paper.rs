@@ -299,7 +299,7 @@ impl Writer<'_> {
     ) -> Result<Vec<Vec<StateId>>, LimitReached> {
         let profile = self.joint.initial().profile;
         let belief = self.joint.belief(profile, i);
-        let mut layers = vec![self.joint.beliefs(i).members(belief).to_vec()];
+        let mut layers = vec![self.joint.beliefs(i).list(belief).to_vec()];
         for symbols in symbols {
             let mut next = Vec::new();
             for &state in layers.last().into_iter().flatten() {

@@ -135,8 +135,10 @@ impl Antichain {
             let belief = space.joint.belief(profile, observer);
             if signatures.get(belief.index()).is_none_or(|signature| *signature == 0) {
                 let members = space.joint.beliefs(observer).members(belief);
-                let signature =
-                    members.iter().fold(0, |bits, state| bits | 1 << (state.index() % 64));
+                // A set that is not listed is taken for a part of none.
+                let signature = members.listed().map_or(u64::MAX, |list| {
+                    list.iter().fold(0, |bits, state| bits | 1 << (state.index() % 64))
+                });
                 signatures.resize(signatures.len().max(belief.index() + 1), 0);
                 signatures[belief.index()] = signature;
             }
@@ -156,10 +158,11 @@ impl Antichain {
                     Relation::Equal => return false,
                 };
                 let signature = |belief: BeliefId| self.signatures[observer][belief.index()];
-                let members = |belief| space.joint.beliefs(observer).members(belief);
+                let members = |belief| space.joint.beliefs(observer).members(belief).listed();
                 signature(less) & !signature(more) == 0
-                    && members(less).len() <= self.effort.states
-                    && is_subset(members(less), members(more))
+                    && members(less).zip(members(more)).is_some_and(|(less, more)| {
+                        less.len() <= self.effort.states && is_subset(less, more)
+                    })
             })
     }
 

@@ -8,6 +8,7 @@
 //! - [`space`] is what is searched: nodes and their successors, expanded as they are met,
 //! - [`search`] is the one loop, [`order`] the order in which it takes up nodes, [`queue`] its queue,
 //! - [`dominance`] leaves out nodes that another one is at least as good as, where that is sound,
+//! - [`sampling`] follows samples in place of beliefs that are too large to list,
 //! - [`estimates`] say how long a plan through a node must still be,
 //! - [`bounds`] are the upper bounds on all plans,
 //! - [`schedule`] is what is tried when, by [`thresholds`] that all stand in one place.
@@ -20,6 +21,7 @@ mod dominance;
 mod estimates;
 mod order;
 mod queue;
+mod sampling;
 mod schedule;
 mod search;
 mod space;
@@ -41,7 +43,7 @@ use estimates::Estimates;
 use schedule::{Question, Schedule, Stage};
 use search::{Order, Search, Step, Way};
 use space::{Actor, Space};
-use thresholds::{EXPANSIONS_BETWEEN_CHECKS, WORK_TO_SHORTEN};
+use thresholds::{EXPANSIONS_BETWEEN_CHECKS, EXPANSIONS_WITH_SAMPLES, WORK_TO_SHORTEN};
 
 /// The engine for the best plan.
 pub(in crate::solver) struct Optimiser {
@@ -71,6 +73,10 @@ struct Work {
     begun: (u64, u64),
     /// Whether tables over pairs of states have been tried.
     tried_pairs: bool,
+    /// The space with samples, while it is searched, and the search that waits for it.
+    sampled: Option<Box<(Space, Estimates, Search)>>,
+    /// Whether samples have been tried.
+    tried_samples: bool,
 }
 
 /// Shown without its insides, which would weigh heavily in the wasm file.
@@ -110,24 +116,40 @@ impl Optimiser {
         let estimates = Estimates::new(&mut joint, self.horizon, most)?;
         let space = Space::new(joint, bounds);
         let actor = if estimates.knows_endings() { Actor::State } else { Actor::Word };
-        let way = Way {
+        let search =
+            Search::new(&space, self.finding_way(actor), 1 - self.problem.goals().len() as i64);
+        let stage = Stage::Find(search);
+        Ok(Box::new(Work {
+            space,
+            estimates,
+            stage,
+            begun: (0, 0),
+            tried_pairs: false,
+            sampled: None,
+            tried_samples: false,
+        }))
+    }
+
+    /// How good plans are looked for.
+    fn finding_way(&self, actor: Actor) -> Way {
+        Way {
             actor,
             order: Order::Promise,
             horizon: self.horizon.map(|horizon| horizon as u32),
             dominance: self.schedule.dominance,
             shorter_than: u32::MAX,
             alone: None,
-        };
-        let search = Search::new(&space, way, 1 - self.problem.goals().len() as i64);
-        let stage = Stage::Find(search);
-        Ok(Box::new(Work { space, estimates, stage, begun: (0, 0), tried_pairs: false }))
+        }
     }
 
     fn check_limits(&self, work: &Work) -> Result<(), LimitReached> {
         let limits = &self.options.limits;
         if self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
             let search = work.stage.search().bytes();
-            limits.check_bytes(work.space.bytes() + work.estimates.bytes() + search)?;
+            let sampled = work.sampled.as_deref().map_or(0, |(space, estimates, search)| {
+                space.bytes() + estimates.bytes() + search.bytes()
+            });
+            limits.check_bytes(work.space.bytes() + work.estimates.bytes() + search + sampled)?;
         }
         if self.expansions >= limits.expansions {
             return Err(LimitReached::Expansions { limit: limits.expansions });
@@ -171,7 +193,7 @@ impl Optimiser {
         let Some(&(after, question)) = self.schedule.questions.get(self.asked) else {
             return Ok(false);
         };
-        if !matches!(work.stage, Stage::Find(_)) || self.expansions < after {
+        if !matches!(work.stage, Stage::Find(_) | Stage::Sample(_)) || self.expansions < after {
             return Ok(false);
         }
         self.asked += 1;
@@ -229,12 +251,18 @@ impl Optimiser {
     fn step(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
         if self.ask(work)? {
             return Ok(self.is_proved()
-                && matches!(work.stage, Stage::Find(_))
+                && matches!(work.stage, Stage::Find(_) | Stage::Sample(_))
                 && self.shorten(work));
         }
         self.check_limits(work)?;
+        if matches!(work.stage, Stage::Sample(_)) || self.sample(work)? {
+            return self.step_with_samples(work);
+        }
         let Work { space, estimates, stage, .. } = work;
-        let (Stage::Find(search) | Stage::Prove(search, _) | Stage::Shorten(search)) = stage;
+        let (Stage::Find(search)
+        | Stage::Sample(search)
+        | Stage::Prove(search, _)
+        | Stage::Shorten(search)) = stage;
         let step = search.step(space, estimates)?;
         self.expansions += 1;
         match (step, &*stage) {
@@ -250,7 +278,7 @@ impl Optimiser {
                 self.best = Some((counts, plan));
                 match stage {
                     Stage::Find(_) if self.is_proved() => return Ok(self.shorten(work)),
-                    Stage::Find(_) => {}
+                    Stage::Find(_) | Stage::Sample(_) => {}
                     Stage::Prove(..) if self.is_proved() => return Ok(true),
                     Stage::Prove(..) => {
                         self.prove(work, self.problem.observers().len().checked_sub(1));
@@ -270,9 +298,66 @@ impl Optimiser {
         Ok(false)
     }
 
-    /// Begins to look for a shortest plan; true where there is nothing to look for.
+    /// Begins to search with samples where beliefs have outgrown their lists, once; true when it does.
+    fn sample(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
+        let due = !work.tried_samples && self.horizon.is_none() && work.space.joint.has_unlisted();
+        if !due || !matches!(work.stage, Stage::Find(_)) {
+            return Ok(false);
+        }
+        work.tried_samples = true;
+        let bounds = work.space.bounds.clone();
+        let limits = self.options.limits;
+        let (most, size) = (work.estimates.most, self.schedule.sample);
+        let made = sampling::sampled(&self.problem, &bounds, limits, most, size)?;
+        let Some((space, estimates)) = made else { return Ok(false) };
+        let least = 1 - self.problem.goals().len() as i64;
+        let aim = self.best.as_ref().map_or(least, |(counts, _)| counts.difference() + 1);
+        let search = Search::new(&space, self.finding_way(Actor::Word), aim);
+        let before = std::mem::replace(&mut work.stage, Stage::Sample(search));
+        work.begun = (self.expansions, work.space.touched);
+        if let Stage::Find(waiting) = before {
+            work.sampled = Some(Box::new((space, estimates, waiting)));
+        }
+        Ok(true)
+    }
+
+    /// One step of the search with samples; true when the answer is there.
+    fn step_with_samples(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
+        let Work { stage: Stage::Sample(search), sampled: Some(sampled), .. } = work else {
+            return Ok(false);
+        };
+        let (space, estimates, _) = &mut **sampled;
+        estimates.most = work.estimates.most;
+        let step = search.step(space, estimates)?;
+        self.expansions += 1;
+        let over = match step {
+            Step::Found(counts, plan) => {
+                self.best = Some((counts, plan));
+                if self.is_proved() {
+                    return Ok(self.shorten(work));
+                }
+                false
+            }
+            Step::On => self.expansions - work.begun.0 >= EXPANSIONS_WITH_SAMPLES,
+            Step::Exhausted => true,
+        };
+        if over && let Some(sampled) = work.sampled.take() {
+            let (_, _, mut waiting) = *sampled;
+            if let Some((counts, _)) = &self.best {
+                waiting.aim = waiting.aim.max(counts.difference() + 1);
+            }
+            self.begin_stage(work, Stage::Find(waiting));
+        }
+        Ok(false)
+    }
+
+    /// Begins to look for a shortest plan; true where there is nothing to look for, or too much.
     fn shorten(&mut self, work: &mut Work) -> bool {
         let Some((counts, plan)) = &self.best else { return true };
+        if work.space.joint.has_unlisted() && self.horizon.is_none() {
+            self.length_proved = plan.is_empty();
+            return true;
+        }
         if self.horizon.is_some() || plan.is_empty() {
             self.length_proved = true;
             return true;

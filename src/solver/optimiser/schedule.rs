@@ -4,11 +4,12 @@ use super::bounds::Bound;
 use super::bounds::classes::Classes;
 use super::bounds::invariants::Invariants;
 use super::dominance::Policy;
+use super::sampling::SampleSize;
 use super::search::Search;
 use super::thresholds::{
     EXPANSIONS_BEFORE_ALL_CLASSES, EXPANSIONS_BEFORE_CLASSES, EXPANSIONS_BEFORE_INVARIANTS,
-    EXPANSIONS_BEFORE_PAIRS, EXPANSIONS_BEFORE_PAIRS_SHORTEN, STATES_OF_A_SMALL_SPACE,
-    STATES_OF_CLASSES,
+    EXPANSIONS_BEFORE_PAIRS, EXPANSIONS_BEFORE_PAIRS_SHORTEN, STATES_OF_A_SAMPLE,
+    STATES_OF_A_SAMPLE_BY_GOAL, STATES_OF_A_SMALL_SPACE, STATES_OF_CLASSES,
 };
 
 /// The search at work.
@@ -16,6 +17,8 @@ use super::thresholds::{
 pub(super) enum Stage {
     /// Looks for good plans in the order of promise.
     Find(Search),
+    /// The same with samples of the enemies' beliefs, where beliefs have outgrown their lists.
+    Sample(Search),
     /// Looks for a plan that is worth more than the best one, with tables over pairs of states: first
     /// with each observer alone, by position, which mostly shows that there is none; then with all.
     Prove(Search, Option<usize>),
@@ -26,7 +29,10 @@ pub(super) enum Stage {
 impl Stage {
     pub(super) fn search(&self) -> &Search {
         match self {
-            Self::Find(search) | Self::Prove(search, _) | Self::Shorten(search) => search,
+            Self::Find(search)
+            | Self::Sample(search)
+            | Self::Prove(search, _)
+            | Self::Shorten(search) => search,
         }
     }
 }
@@ -47,6 +53,8 @@ pub(super) struct Schedule {
     pub pairs_to_shorten: u64,
     /// Whether dominated nodes are left out.
     pub dominance: Policy,
+    /// What is kept of an enemy's belief that is sampled.
+    pub sample: SampleSize,
 }
 
 impl Default for Schedule {
@@ -62,6 +70,7 @@ impl Default for Schedule {
             ],
             pairs_to_shorten: EXPANSIONS_BEFORE_PAIRS_SHORTEN,
             dominance: Policy::Sound,
+            sample: SampleSize { spread: STATES_OF_A_SAMPLE, by_goal: STATES_OF_A_SAMPLE_BY_GOAL },
         }
     }
 }

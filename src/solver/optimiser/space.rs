@@ -12,7 +12,8 @@
 
 use std::sync::Arc;
 
-use crate::belief::{BeliefId, Subsets, Successor};
+use super::thresholds::WORK_OF_A_DIAGRAM;
+use crate::belief::{BeliefId, Members, StateSets};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, ProfileId, Role, SurvivorCounts};
@@ -45,11 +46,11 @@ pub(super) struct Space {
     pub bounds: Bounds,
     /// The guide of the search.
     pub guide: GoalDistances,
-    words: Subsets,
+    words: StateSets,
     /// Where the successors of each word set begin and end.
     rows: Vec<(u32, u32)>,
-    successors: Vec<Successor>,
-    found: Vec<Successor>,
+    successors: Vec<(u32, BeliefId)>,
+    found: Vec<(u32, BeliefId)>,
     /// By word set: whether the true goal holds in a member; none where that is not known.
     ends: Vec<Option<bool>>,
     /// Believed states gone through: what the work is measured by.
@@ -59,11 +60,12 @@ pub(super) struct Space {
 impl Space {
     pub(super) fn new(joint: JointSpace, bounds: Bounds) -> Self {
         let guide = GoalDistances::new(joint.problem(), Combine::Sum, joint.limits().bytes);
+        let words = StateSets::new(joint.problem().task(), joint.limits());
         Self {
             joint,
             bounds,
             guide,
-            words: Subsets::default(),
+            words,
             rows: Vec::new(),
             successors: Vec::new(),
             found: Vec::new(),
@@ -78,7 +80,7 @@ impl Space {
 
     /// Bytes in use, counted by contents.
     pub(super) fn bytes(&self) -> u64 {
-        let own = size_of::<Successor>() * self.successors.len() + 10 * self.rows.len();
+        let own = 8 * self.successors.len() + 10 * self.rows.len();
         self.joint.bytes() + self.guide.bytes() + self.words.bytes() + own as u64
     }
 
@@ -92,16 +94,21 @@ impl Space {
         let root = self.joint.initial();
         let actor = match actor {
             Actor::State => root.state.0,
-            Actor::Word => self.words.intern(vec![root.state]).0,
+            Actor::Word => {
+                let limits = *self.joint.limits();
+                // One state is a list whatever the limit.
+                let states = self.joint.states();
+                self.words.intern(states, vec![root.state], &limits, || unreachable!()).0
+            }
         };
         self.guide.update(&self.joint);
         Node { actor, profile: root.profile }
     }
 
     /// The states the actor may be in.
-    pub(super) fn actor_states(&self, actor: Actor, node: Node) -> &[StateId] {
+    pub(super) fn actor_states(&self, actor: Actor, node: Node) -> Members<'_> {
         match actor {
-            Actor::State => &[],
+            Actor::State => Members::Listed(&[]),
             Actor::Word => self.words.members(BeliefId(node.actor)),
         }
     }
@@ -136,8 +143,13 @@ impl Space {
         if let Some(Some(known)) = self.ends.get(node.actor as usize) {
             return *known;
         }
-        let members = self.words.members(BeliefId(node.actor));
-        let ends = members.iter().any(|state| self.joint.is_goal(*state));
+        let ends = match self.words.members(BeliefId(node.actor)) {
+            Members::Listed(list) => list.iter().any(|state| self.joint.is_goal(*state)),
+            Members::Diagram(diagrams, set) => {
+                let problem = self.joint.problem();
+                diagrams.satisfies(set, &problem.goals()[problem.true_goal()].condition)
+            }
+        };
         self.ends.resize(self.ends.len().max(node.actor as usize + 1), None);
         self.ends[node.actor as usize] = Some(ends);
         ends
@@ -219,7 +231,8 @@ impl Space {
         missing as i64
     }
 
-    /// Writes the nodes that follow a node into `found`, each with a transition that leads there.
+    /// Writes the nodes that follow a node into `found`, each with what leads there: a transition from a state, a combination
+    /// of symbols from a word.
     pub(super) fn expand(
         &mut self,
         actor: Actor,
@@ -245,13 +258,14 @@ impl Space {
                 let (begin, end) = self.word_successors(BeliefId(node.actor))?;
                 for observer in 0..self.problem().observers().len() {
                     let belief = self.joint.belief(node.profile, observer);
-                    self.touched += self.joint.beliefs(observer).members(belief).len() as u64;
+                    self.touched += work(self.joint.beliefs(observer).members(belief));
                 }
                 self.joint.update_all(node.profile)?;
                 for place in begin..end {
-                    let Successor { edge, set, .. } = self.successors[place as usize];
-                    let profile = self.joint.profile_after(node.profile, edge as usize)?;
-                    found.push((edge, Node { actor: set.0, profile }));
+                    let (combination, set) = self.successors[place as usize];
+                    let profile =
+                        self.joint.profile_after_combination(node.profile, combination)?;
+                    found.push((combination, Node { actor: set.0, profile }));
                 }
             }
         }
@@ -266,12 +280,11 @@ impl Space {
         if known.0 != UNEXPANDED {
             return Ok(known);
         }
-        self.touched += self.words.members(set).len() as u64;
+        self.touched += work(self.words.members(set));
         let limits = *self.joint.limits();
         let others = self.joint.bytes() - self.joint.states().bytes();
         self.words.expand_members(self.joint.states_mut(), set, &limits, others)?;
-        let (states, labels) = self.joint.labelled_states();
-        self.words.images(states, set, |edge| labels[edge], &mut self.found);
+        self.joint.word_images(&mut self.words, set, &mut self.found)?;
         let begin = self.successors.len() as u32;
         self.successors.extend_from_slice(&self.found);
         let row = (begin, self.successors.len() as u32);
@@ -280,32 +293,24 @@ impl Space {
         Ok(row)
     }
 
-    /// The plan along nodes from the root, each but the first with a transition that leads to it.
+    /// The plan along nodes from the root, each but the first with what leads to it.
     pub(super) fn plan(&mut self, actor: Actor, way: &[(u32, Node)]) -> Plan {
-        let edges = self.joint.states().all_edges();
         if actor == Actor::State {
+            let edges = self.joint.states().all_edges();
             let taken = way.iter().skip(1).map(|(edge, _)| edges[*edge as usize].action);
             return Plan { actions: taken.collect() };
         }
         let Some((_, last)) = way.last() else { return Plan::default() };
-        let ends = self.words.members(BeliefId(last.actor)).to_vec();
-        let Some(mut target) = ends.into_iter().find(|state| self.joint.is_goal(*state)) else {
+        let Some(mut target) = self.end_of_word(BeliefId(last.actor)) else {
             return Plan::default();
         };
-        let (states, labels) = self.joint.labelled_states();
         let mut actions: Vec<Action> = Vec::new();
         for pair in way.windows(2).rev() {
-            let (before, (edge, _)) = (pair[0].1, pair[1]);
-            let label = labels[edge as usize];
-            let members = self.words.members(BeliefId(before.actor));
-            let leads = |state: &StateId| {
-                let mut edges = states.edge_range(*state);
-                let fits = |edge: &usize| {
-                    labels[*edge] == label && states.all_edges()[*edge].target == target
-                };
-                edges.find(fits).map(|edge| (*state, states.all_edges()[edge].action))
-            };
-            let Some((state, action)) = members.iter().find_map(leads) else {
+            let (before, (combination, _)) = (pair[0].1, pair[1]);
+            let set = BeliefId(before.actor);
+            let Some((state, action)) =
+                self.joint.word_predecessor(&self.words, set, combination, target)
+            else {
                 return Plan::default();
             };
             actions.push(action);
@@ -313,5 +318,25 @@ impl Space {
         }
         actions.reverse();
         Plan { actions }
+    }
+
+    /// A state of a word set in which the true goal holds.
+    fn end_of_word(&mut self, set: BeliefId) -> Option<StateId> {
+        match self.words.members(set) {
+            Members::Listed(list) => list.iter().copied().find(|state| self.joint.is_goal(*state)),
+            Members::Diagram(diagrams, set) => {
+                let problem = self.joint.problem();
+                let state = diagrams.find(set, &problem.goals()[problem.true_goal()].condition)?;
+                Some(self.joint.states_mut().intern(&state))
+            }
+        }
+    }
+}
+
+/// How much work a set is, in states.
+fn work(members: Members<'_>) -> u64 {
+    match members {
+        Members::Listed(list) => list.len() as u64,
+        Members::Diagram(..) => WORK_OF_A_DIAGRAM,
     }
 }

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::dominance::Policy;
+use super::sampling::SampleSize;
 use super::schedule::{Question, Schedule};
 use super::{Advance, Engine, Optimiser};
 use crate::problem::Role::{self, Adversarial, Cooperative};
@@ -35,7 +36,17 @@ struct Answer {
 
 fn solve(judge: &Judge, horizon: Option<usize>, wish: &Wish, schedule: Schedule) -> Answer {
     let options = Judge::options(Solver::Exact, horizon, wish);
-    let mut engine = Optimiser::new(Arc::clone(&judge.problem), &options, horizon);
+    solve_with(judge, horizon, wish, schedule, &options)
+}
+
+fn solve_with(
+    judge: &Judge,
+    horizon: Option<usize>,
+    wish: &Wish,
+    schedule: Schedule,
+    options: &Options,
+) -> Answer {
+    let mut engine = Optimiser::new(Arc::clone(&judge.problem), options, horizon);
     engine.schedule = schedule;
     let best = oracle_best(judge, horizon, wish);
     let most = judge.table.goals.len() as f64 - 1.0;
@@ -49,7 +60,7 @@ fn solve(judge: &Judge, horizon: Option<usize>, wish: &Wish, schedule: Schedule)
             let (status, length_proved) = (finding.status, finding.length_proved);
             return Answer { status, plan, length_proved };
         }
-        let progress = report(&engine, &options);
+        let progress = report(&engine, options);
         if let (Policy::Sound, Some(best)) = (schedule.dominance, best) {
             // The gap is never wrong: bound ≥ optimum ≥ value.
             let best = best as f64 / most;
@@ -146,6 +157,39 @@ fn ten_goals_and_up_to_four_observers_equal_the_closure() {
             check(&judge, None, &wish, schedule);
         }
     }
+}
+
+#[test]
+fn beliefs_that_are_not_listed_and_samples_of_them_give_the_same_values() {
+    let sizes = [(1, 1), (2, 1), (40, 5)];
+    let mut dice = Dice::new(86);
+    let mut longer = 0;
+    for number in 0..4_000 {
+        let roles = COMPANIES[number % COMPANIES.len()];
+        let size = if number % 4 == 0 { LARGE } else { MEDIUM };
+        let judge = Judge::built(random::table(&mut dice, size, roles), 0);
+        let wish =
+            if number % 3 == 0 { Wish::default() } else { random::wish(&mut dice, &judge.table) };
+        let horizon = (size.goals < 5 && dice.percent(40))
+            .then(|| random::horizon(&mut dice, &judge.table, 300));
+        let (spread, by_goal) = dice.pick(&sizes);
+        let sample = SampleSize { spread, by_goal };
+        let questions = dice.pick(&[&[][..], &[2][..], &[1][..]]);
+        let schedule = Schedule { sample, ..first(questions) };
+        let mut options = Judge::options(Solver::Exact, horizon, &wish);
+        options.limits = options.limits.with_listed(dice.pick(&[1, 2, 3]));
+        let answer = solve_with(&judge, horizon, &wish, schedule, &options);
+        let best = expected(&judge, horizon, &wish);
+        assert_eq!(answer.plan.map(|plan| plan.0), best.map(|best| best.0), "{wish:?} {horizon:?}");
+        let lengths = answer.plan.zip(best).map(|(plan, best)| plan.1.cmp(&best.1));
+        match (lengths, answer.length_proved) {
+            (Some(std::cmp::Ordering::Greater), Some(false)) => longer += 1,
+            (None | Some(std::cmp::Ordering::Equal), _) => {}
+            wrong => panic!("{wrong:?}"),
+        }
+    }
+    // The search with samples was at work.
+    assert!(longer > 10, "{longer}");
 }
 
 /// How many of the problems come out wrong with dominance where it is unsound.

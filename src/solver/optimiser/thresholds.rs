@@ -37,6 +37,15 @@ pub(super) const EXPANSIONS_BEFORE_PAIRS_SHORTEN: u64 = 256;
 /// a tenth of a second. Above, the length of the plan stays unproved, and the outcome says so.
 pub(super) const WORK_TO_SHORTEN: u64 = 400_000;
 
+/// States of a sample of an enemy's belief, spread over it evenly, and beside them those nearest to each goal.
+pub(super) const STATES_OF_A_SAMPLE: usize = 48;
+pub(super) const STATES_OF_A_SAMPLE_BY_GOAL: usize = 6;
+/// Expansions with samples before beliefs are worked out after all.
+pub(super) const EXPANSIONS_WITH_SAMPLES: u64 = 50_000;
+
+/// What going through a belief that is not listed counts as, in believed states.
+pub(super) const WORK_OF_A_DIAGRAM: u64 = 10_000;
+
 /// How far nodes are compared for dominance in the first search, whose nodes differ more than a
 /// comparison would save.
 pub(super) const EFFORT_TO_FIND: Effort = Effort { nodes: 12, states: 32 };

@@ -24,8 +24,13 @@ const MOST_EXPANSIONS: u64 = 1_000_000;
 
 /// The expansions and the bytes of the exhaustive exploration that comes first. It answers all
 /// questions in one go where the space is small; where it is not, one question at a time is faster.
-const EXPLORED: Limits =
-    Limits { bytes: 32 << 20, expansions: 20_000, nodes: u64::MAX, nonzeros: u64::MAX };
+const EXPLORED: Limits = Limits {
+    bytes: 32 << 20,
+    expansions: 20_000,
+    nodes: u64::MAX,
+    nonzeros: u64::MAX,
+    listed: usize::MAX,
+};
 
 /// Looks for remedies, in slices.
 ///
@@ -222,7 +227,7 @@ impl RemedyRun {
             self.reason = Some(Reason::Bounds);
         }
         if let Some(asked) = self.asked {
-            let mut joint = JointSpace::new(Arc::clone(&self.problem), self.options.limits);
+            let mut joint = JointSpace::listing(Arc::clone(&self.problem), self.options.limits);
             let start = joint.initial().state;
             if asked < shortest || !StatesBySteps::new(&mut joint, asked)?.contains(0, start) {
                 self.reason = Some(Reason::Length);

@@ -160,8 +160,10 @@ impl Bound for Classes {
         let mut parts: Vec<Option<(Vec<u32>, Vec<GoalSet>)>> = Vec::new();
         for (observer, watched) in problem.observers().iter().enumerate() {
             let seen = listing.seen_by(&mut space.joint, observer);
-            let believed =
-                space.joint.beliefs(observer).members(space.joint.belief(root.profile, observer));
+            let belief = space.joint.belief(root.profile, observer);
+            let Some(believed) = space.joint.beliefs(observer).members(belief).listed() else {
+                return Ok(Most::Unaffordable);
+            };
             let part = match watched.role {
                 Role::Adversarial => Some(observable_classes(listing.states, &seen, believed)),
                 Role::Cooperative => believed_blocks(listing.states, &seen, believed),

@@ -65,7 +65,8 @@ impl Pairs {
         let bytes = table * (others.len() * problem.observers().len()) as u64;
         let scratch = 6 * BitMatrix::bytes_for(states);
         let limits = *space.joint.limits();
-        if bytes + scratch > BYTES_OF_PAIRS.min(limits.bytes / 3) {
+        // The tables are asked of beliefs state by state.
+        if bytes + scratch > BYTES_OF_PAIRS.min(limits.bytes / 3) || limits.listed < states {
             return Ok(None);
         }
         let seen: Vec<Vec<Seen>> = (0..problem.observers().len())
@@ -88,8 +89,7 @@ impl Pairs {
         for (observer, watched) in problem.observers().iter().enumerate() {
             let moves = by_symbol(&seen[observer]);
             let root = space.joint.initial().profile;
-            let believed =
-                space.joint.beliefs(observer).members(space.joint.belief(root, observer));
+            let believed = space.joint.beliefs(observer).list(space.joint.belief(root, observer));
             let classes = observable_classes(states, &seen[observer], believed);
             // The two states of a pair that the search comes to are always in one class.
             let possible = |goal: &[u32]| {
@@ -165,7 +165,7 @@ impl Pairs {
                 continue;
             }
             let belief = space.joint.belief(profile, *observer);
-            let believed = space.joint.beliefs(*observer).members(belief);
+            let believed = space.joint.beliefs(*observer).list(belief);
             let named = |list: &[crate::solver::Watched], goal: usize| {
                 list.iter().any(|w| w.observer == *observer && w.goal == goal)
             };
@@ -220,7 +220,7 @@ impl Pairs {
         for tables in &self.tables {
             let (Tables::Enemy(observer, _) | Tables::Friend(observer, _)) = tables;
             let belief = space.joint.belief(profile, *observer);
-            let members = space.joint.beliefs(*observer).members(belief);
+            let members = space.joint.beliefs(*observer).list(belief);
             let leads = |other: StateId| match tables {
                 Tables::Enemy(_, tables) => tables.iter().any(|table| table.leads(state, other)),
                 Tables::Friend(_, tables) => tables.iter().any(|table| table.leads(state, other)),
