@@ -4,8 +4,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::limits::LimitReached;
+use crate::plan::PlanError;
 use crate::problem::Problem;
-use crate::trace::{Achievement, validate};
+use crate::trace::{Achievement, InvalidPlan, validate};
 
 use super::engine::{Advance, Engine, Finding};
 use super::error::SolveError;
@@ -306,8 +307,10 @@ fn conclude(
         stats,
     };
     let replay = |plan| {
-        let achieved: Achievement =
-            validate(problem, plan).map_err(|error| SolveError::Replay(error.to_string()))?;
+        let achieved: Achievement = validate(problem, plan).map_err(|error| match error {
+            InvalidPlan::Step(PlanError::TooLarge { .. }) => SolveError::TooLargeToReplay,
+            error => SolveError::Replay(error.to_string()),
+        })?;
         if !bounds.allow(achieved.counts, &achieved.survivors) {
             return Err(SolveError::Replay("it breaks the bounds".to_owned()));
         }
@@ -317,7 +320,17 @@ fn conclude(
         Ok(achieved)
     };
     if let Some(plan) = &finding.plan {
-        let achieved = replay(plan)?;
+        let achieved = match replay(plan) {
+            // What it achieves is not known then.
+            Err(SolveError::TooLargeToReplay) => {
+                outcome.status = Status::Limit;
+                outcome.length_proved = None;
+                let limit_mib = options.limits.bytes >> 20;
+                outcome.limit = Some(LimitReached::Memory { limit_mib });
+                return Ok(outcome);
+            }
+            achieved => achieved?,
+        };
         if options.pairs && finding.pairs.is_none() {
             let point = ReachablePair { counts: achieved.counts, plan: plan.clone() };
             outcome.pairs = Some(vec![point]);

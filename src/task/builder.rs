@@ -143,12 +143,14 @@ impl TaskBuilder {
             .map_err(|(first, second)| self.not_exclusive(first, second, "the initial state"))?;
         self.check_actions(&groups_of)?;
         let actions = self.action_names.len();
+        let alike = self.has_operators_alike();
         let successors = SuccessorGenerator::new(&layout, &self.operators);
         Ok(Task {
             fact_names: self.fact_names.into_iter().map(Arc::from).collect(),
             layout,
             action_names: self.action_names,
             operators: self.operators,
+            alike,
             initial_state,
             goal: goal.to_vec(),
             costs: self.costs.map(|mut costs| {
@@ -247,7 +249,14 @@ impl TaskBuilder {
         });
     }
 
-    /// No two operators of an action may be applicable in one state.
+    /// Whether two operators of one action do the same.
+    fn has_operators_alike(&self) -> bool {
+        let mut known = rustc_hash::FxHashSet::default();
+        let all = &self.operators;
+        all.iter().any(|one| !known.insert((one.action, &one.add, &one.delete)))
+    }
+
+    /// No two operators of an action that do different things may be applicable in one state.
     fn check_actions(&self, groups_of: &[Vec<u32>]) -> Result<(), TaskError> {
         let mut by_action: Vec<Vec<&Operator>> = vec![Vec::new(); self.action_names.len()];
         for operator in &self.operators {
@@ -267,7 +276,8 @@ impl TaskBuilder {
 /// ask for, and so on, until operators stand alone.
 fn exclude_each_other(groups_of: &[Vec<u32>], operators: &mut [&Operator]) -> bool {
     let [first, rest @ ..] = &*operators else { return true };
-    if rest.is_empty() {
+    // Which of several that do the same is meant makes no difference.
+    if rest.iter().all(|operator| operator.has_effects_of(first)) {
         return true;
     }
     let value = |operator: &Operator, group: u32| {
@@ -317,6 +327,18 @@ mod tests {
         let built = task.clone().build(&[cup], &[tea]).unwrap();
         assert_eq!(built.operators().len(), 1);
         assert_eq!(built.operators()[0].preconditions, [cup].into());
+        // Where neither asks for less, both stay, and one of them is taken.
+        task.operator("make coffee", &[cup], &[tea], &[]);
+        task.operator("make coffee", &[milk], &[tea], &[]);
+        let built = task.clone().build(&[cup, milk], &[tea]).unwrap();
+        assert_eq!(built.operators().len(), 3);
+        let mut found = Vec::new();
+        built.applicable(built.initial_state().words(), &mut found);
+        let actions: Vec<_> = found.iter().map(|id| built.operator(*id).action).collect();
+        assert_eq!(
+            actions.iter().map(|a| built.action_name(*a)).collect::<Vec<_>>(),
+            ["make tea", "make coffee"]
+        );
         // With another effect it is another operator.
         task.operator("make tea", &[cup, milk], &[tea], &[milk]);
         let error = task.build(&[cup], &[tea]).map(|_| ()).unwrap_err();

@@ -38,6 +38,8 @@ pub struct Task {
     layout: Layout,
     action_names: Vec<String>,
     operators: Vec<Operator>,
+    /// Whether two operators of one action do the same, so that both may be applicable.
+    alike: bool,
     initial_state: State,
     goal: Vec<Fact>,
     costs: Option<Box<[u64]>>,
@@ -154,9 +156,21 @@ impl Task {
         self.layout.holding(words)
     }
 
-    /// Writes every operator applicable in a packed state into `found`, in the order of their ids.
+    /// Writes every operator applicable in a packed state into `found`, in the order of their ids; of several of one
+    /// action, which do the same then, the first.
     pub fn applicable(&self, words: &[u64], found: &mut Vec<OperatorId>) {
         self.successors.applicable(&self.layout, words, found);
+        if self.alike {
+            let mut kept = 0;
+            for place in 0..found.len() {
+                let action = self.operator(found[place]).action;
+                if found[..kept].iter().all(|&other| self.operator(other).action != action) {
+                    found[kept] = found[place];
+                    kept += 1;
+                }
+            }
+            found.truncate(kept);
+        }
     }
 
     /// Writes `(s \ delete) ∪ add` over the packed state in `words`.

@@ -50,3 +50,10 @@ pub struct Operator {
     /// Facts that no longer hold afterwards, unless they are added as well.
     pub delete: Box<[Fact]>,
 }
+
+impl Operator {
+    /// Whether it does the same as another one, wherever both are applicable.
+    pub(super) fn has_effects_of(&self, other: &Self) -> bool {
+        (&self.add, &self.delete) == (&other.add, &other.delete)
+    }
+}

@@ -12,6 +12,9 @@ use crate::limits::{LimitReached, Limits};
 use crate::sensor::{Sensor, Symbol};
 use crate::task::{Fact, State, Task};
 
+/// Bytes of the diagrams of earlier beliefs, and of what was worked out for them, after which they are let go.
+const BYTES_BEFORE_FORGETTING: u64 = 128 << 20;
+
 /// A set of states that an observer holds possible, in one of two forms with the same answers.
 #[derive(Debug, Clone)]
 pub struct TracedBelief(Form);
@@ -157,6 +160,11 @@ impl TracedBelief {
         if let Form::Diagram(unlisted) = &mut self.0 {
             let Unlisted { diagrams, relations, set } = &mut **unlisted;
             *set = relations.update(diagrams, *set, seen)?;
+            // Earlier beliefs are not met again.
+            if diagrams.bytes() + relations.bytes() > BYTES_BEFORE_FORGETTING {
+                (*diagrams, *set) = diagrams.alone(*set)?;
+                relations.forget_images();
+            }
         }
         Ok(())
     }

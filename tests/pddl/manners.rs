@@ -308,8 +308,13 @@ fn an_action_declared_for_several_places() {
     assert_eq!((ground.operators().len(), ground.action_count()), (9 + 2, 9 + 1));
     let plan = mo_copp::plan::Plan::from_names(&ground, &plan).unwrap();
     assert_eq!(plan.cost(&ground), Some(3));
-    // Where two of them can apply at once, it is said.
-    let both = domain.replace("(at library) :effect (and (met)", "(not (met)) :effect (and (met)");
+    // Where two that do the same can apply at once, either is meant.
+    let alike = domain.replace("(at library) :effect (and (met)", "(not (met)) :effect (and (met)");
+    let found = self::plan(&alike, task).unwrap();
+    assert_eq!(found, ["(meet)"]);
+    // Where they do different things, it is said.
+    let both = domain
+        .replace("(at library) :effect (and (met)", "(not (met)) :effect (and (at library) (met)");
     let read = (read_domain(&both).unwrap(), read_domain(domain).unwrap());
     let task = read_task(&read.0, task).unwrap();
     let error =

@@ -301,11 +301,16 @@ impl SymbolRelations {
         let next = self.image(diagrams, belief, self.symbols[symbol.index()])?;
         if diagrams.is_tight(24 * self.images.len() as u64) {
             // What has been worked out can be worked out again.
-            self.images = FxHashMap::default();
+            self.forget_images();
             diagrams.forget_unions();
         }
         diagrams.check(self.bytes())?;
         Ok(next)
+    }
+
+    /// Forgets the images that were worked out: they are of other diagrams.
+    pub fn forget_images(&mut self) {
+        self.images = FxHashMap::default();
     }
 
     /// A state of `belief` from which a step that gives the symbol leads to a state.

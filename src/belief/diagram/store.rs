@@ -169,6 +169,37 @@ impl Diagrams {
         }
     }
 
+    /// The same set alone, in a store of its own.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when its nodes outgrow the limit.
+    pub fn alone(&self, set: SetId) -> Result<(Self, SetId), LimitReached> {
+        let mut other = Self::new(Arc::clone(&self.task), self.limits);
+        let mut copies =
+            FxHashMap::from_iter([(SetId::EMPTY, SetId::EMPTY), (SetId::END, SetId::END)]);
+        let set = self.copy_to(&mut other, set, &mut copies)?;
+        Ok((other, set))
+    }
+
+    fn copy_to(
+        &self,
+        other: &mut Self,
+        set: SetId,
+        copies: &mut FxHashMap<SetId, SetId>,
+    ) -> Result<SetId, LimitReached> {
+        if let Some(&known) = copies.get(&set) {
+            return Ok(known);
+        }
+        let mut branches = Vec::with_capacity(self.branches(set).len());
+        for &Branch { value, below } in self.branches(set) {
+            branches.push(Branch { value, below: self.copy_to(other, below, copies)? });
+        }
+        let copy = other.node(self.level(set), &branches)?;
+        copies.insert(set, copy);
+        Ok(copy)
+    }
+
     /// The set of one state.
     ///
     /// # Errors

@@ -397,7 +397,8 @@ impl Engine for Optimiser {
         let mut done = Ok(false);
         for _ in 0..budget {
             done = self.step(&mut work);
-            if !matches!(done, Ok(false)) {
+            // Where beliefs are large a single step is long enough for somebody who wants to break it off.
+            if !matches!(done, Ok(false)) || work.space.joint.has_unlisted() {
                 break;
             }
         }
