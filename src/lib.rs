@@ -41,7 +41,8 @@
 //! 6. **The solvers** ([`solver`]): exact ones, integer programs, the paper's search and what it is
 //!    compared with, under [`Options`](solver::Options) and [`limits`], with one
 //!    [`Outcome`](solver::Outcome). [`heuristic`] is what the search is guided by.
-//! 7. **What other programs read** ([`report`]): outcomes and traces as JSON.
+//! 7. **Exercises** ([`exercise`]): questions about a problem, variants by seed, answers and their codes.
+//! 8. **What other programs read** ([`report`]): outcomes and traces as JSON.
 //!
 //! The folder `examples/` has a program for each of these steps: `solve_grid`, `problem_in_code`,
 //! `own_sensor`, `read_pddl`, `trace_plan`, `trade_off` and `compare_solvers`
@@ -49,7 +50,7 @@
 //!
 //! # Features
 //!
-//! `full` (on by default) is PDDL and integer programs; a browser's first picture does without them.
+//! `full` (on by default) is PDDL, integer programs, pictures and exercises; a browser's first picture does without them.
 
 /// Tests inside share helpers with those in `tests/`, who know the crate by its name.
 #[cfg(test)]
@@ -60,6 +61,8 @@ mod belief;
 pub mod bindings;
 pub mod document;
 pub mod domain;
+#[cfg(feature = "full")]
+pub mod exercise;
 // The paper's experiments, for the command of this package and its tests: no part of the library
 // that stays as it is.
 #[cfg(all(feature = "full", not(target_arch = "wasm32")))]

@@ -11,6 +11,7 @@ mod documents;
 mod domains;
 mod eliminations;
 mod exact;
+mod exercises;
 mod experiments;
 mod golden;
 mod highs;

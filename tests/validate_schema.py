@@ -10,7 +10,7 @@ import sys
 
 from jsonschema import Draft202012Validator
 
-OPTIONAL = {"walls", "stay"}
+OPTIONAL = {"walls", "stay", "exercise"}
 
 
 def changes(document):
@@ -36,6 +36,11 @@ def changes(document):
         changed = copy.deepcopy(document)
         del changed["observers"][role]["sensor"]
         yield f"{role} without a sensor", changed
+    if "exercise" in document:
+        for key, value in (("colour", "red"), ("kind", "riddle"), ("kind", None), ("attempts", 0), ("hints", "one")):
+            changed = copy.deepcopy(document)
+            changed["exercise"][key] = value
+            yield f"exercise {key} {value}", changed
     if "goals" in document:
         changed = copy.deepcopy(document)
         changed["goals"][0]["colour"] = "red"

@@ -6,6 +6,8 @@ mod bindings;
 #[path = "../tests/golden/replay.rs"]
 #[allow(dead_code, reason = "the file is written natively only")]
 mod replay;
+#[path = "../tests/exercises/seeds.rs"]
+mod seeds;
 
 use mo_copp::domain::Document;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -13,6 +15,16 @@ use wasm_bindgen_test::wasm_bindgen_test;
 #[wasm_bindgen_test]
 fn plans_are_the_golden_ones() {
     assert!(replay::check(include_str!("../tests/golden/plans.json")) >= 180);
+}
+
+#[wasm_bindgen_test]
+fn a_thousand_seeds_of_each_kind_of_exercise_are_the_golden_ones() {
+    let golden: serde_json::Value =
+        serde_json::from_str(include_str!("../tests/golden/exercises.json")).unwrap();
+    for (kind, text) in seeds::EXERCISES {
+        let found = format!("{:016x}", seeds::hash(text, 1000));
+        assert_eq!(golden[kind], found, "{kind}");
+    }
 }
 
 #[wasm_bindgen_test]

@@ -259,3 +259,72 @@ impl RemedyRun {
         to_js(&AdviceReport::new(self.run.problem(), &advice))
     }
 }
+
+/// The seed that belongs to a name.
+#[cfg(feature = "full")]
+#[wasm_bindgen(js_name = seedOf)]
+pub fn seed_of(name: &str) -> f64 {
+    // Below a million.
+    crate::exercise::seed_of(name) as f64
+}
+
+/// The question of a seed of an exercise.
+#[cfg(feature = "full")]
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Exercise {
+    exercise: crate::exercise::Exercise,
+    variant: crate::exercise::Variant,
+}
+
+#[cfg(feature = "full")]
+#[wasm_bindgen]
+impl Exercise {
+    /// Reads a document with an exercise. Throws a `DocumentError` that names the place, and an `OptionsError` where the
+    /// seed is no whole number or has no variant.
+    #[wasm_bindgen(constructor)]
+    pub fn new(document: &str, seed: f64) -> Result<Exercise, JsValue> {
+        let exercise = crate::exercise::Exercise::parse(document);
+        let exercise = exercise.map_err(|e| error::document(&e, document))?;
+        let whole = (0.0..=9_007_199_254_740_991.0).contains(&seed) && seed % 1.0 == 0.0;
+        if !whole {
+            return Err(thrown(
+                "OptionsError",
+                &format!("seed: found {seed}, expected a whole number from 0"),
+            ));
+        }
+        let variant = exercise.variant(seed as u64).map_err(|e| error::options(&e))?;
+        Ok(Self { exercise, variant })
+    }
+
+    /// The question, without a solution.
+    pub fn question(&self) -> Result<types::QuestionJs, JsValue> {
+        to_js(&crate::report::ExerciseReport::new(&self.exercise, &self.variant))
+    }
+
+    /// The question with a right answer, for who makes the exercise.
+    pub fn solution(&self) -> Result<types::QuestionJs, JsValue> {
+        let report = crate::report::ExerciseReport::new(&self.exercise, &self.variant);
+        to_js(&report.with_solution(&self.variant))
+    }
+
+    /// Checks an answer, by the positions of its choices. Throws an `OptionsError` where they do not fit the question.
+    pub fn check(
+        &self,
+        choices: Vec<u32>,
+        attempts: u32,
+        hints: u32,
+    ) -> Result<types::VerdictJs, JsValue> {
+        let answer = self.variant.form().answer(choices);
+        let answer =
+            answer.ok_or_else(|| thrown("OptionsError", "the choices do not fit the question"))?;
+        let tally = crate::exercise::Tally { attempts, hints };
+        to_js(&crate::report::VerdictReport::new(&self.exercise, &self.variant, &answer, tally))
+    }
+
+    /// The document of this variant as JSON text: its problem, and its question as an exercise that does not vary. `text`
+    /// is the document that was read.
+    pub fn document(&self, text: &str) -> String {
+        self.exercise.written(&self.variant, text).to_string()
+    }
+}

@@ -205,7 +205,52 @@ export interface PictureOptions {
   board?: "all" | "actor" | Role;
   /** Whether headings, goals and the line about the step are there. */
   captions?: boolean;
+  /** Whether the true goal is marked as such. */
+  true_goal?: boolean;
   theme?: "light" | "dark";
+}
+
+export type ExerciseKind = "possible-goals" | "belief" | "walk" | "best" | "placement" | "guess";
+/** The question of a seed of an exercise. An answer is made of positions in `form.choices`. */
+export interface Question {
+  kind: ExerciseKind;
+  title?: string;
+  introduction?: string;
+  question: string;
+  seed: number;
+  /** Whether other seeds have other questions. */
+  varies: boolean;
+  form: { arity: "one" | "set" | "sequence"; choice: "goal" | "state" | "action" | "cell"; choices: State[] };
+  observer?: Role;
+  /** The walk that the question tells. */
+  plan?: string[];
+  place?: "camera" | "wall" | "start";
+  hints: string[];
+  attempts?: number;
+  hide: ("solvers" | "best" | "beliefs")[];
+  lock: boolean;
+  /** The document of the problem, without the exercise. */
+  document: object;
+  /** Only where it was asked for. `remarks`: what makes the question trivial. */
+  solution?: { answer: unknown; size: number; steps: number; remarks: string[] };
+}
+/** A walk that contradicts an answer. */
+export interface Counterexample {
+  observer: Role;
+  start: State;
+  actions: string[];
+  symbols: string[];
+  end: State;
+  /** The first step, from 1, whose symbol is another than was seen. */
+  differs?: number;
+}
+export interface ExerciseVerdict {
+  right: boolean;
+  score: 0 | 1;
+  /** What is wrong, the first thing first. */
+  findings: { text: string; counterexample?: Counterexample }[];
+  /** The answer code. */
+  code: string;
 }
 
 interface SceneBase {
@@ -263,6 +308,12 @@ extern "C" {
     /// A document made of files.
     #[wasm_bindgen(typescript_type = "Imported")]
     pub type ImportedJs;
+    /// The question of an exercise.
+    #[wasm_bindgen(typescript_type = "Question")]
+    pub type QuestionJs;
+    /// What is said of an answer.
+    #[wasm_bindgen(typescript_type = "ExerciseVerdict")]
+    pub type VerdictJs;
 }
 
 #[wasm_bindgen]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::exercise::args::{ExerciseArgs, GradeArgs};
 use super::experiment::args::ExperimentArgs;
 use clap::{Args, Parser, Subcommand};
 use mo_copp::domain::generate::Domain;
@@ -54,6 +55,10 @@ pub enum Command {
     Completions(CompletionsArgs),
     /// Print the manual page of the command, or of one of its commands.
     Manual(ManualArgs),
+    /// Show an exercise or a variant of it, check an answer.
+    Exercise(ExerciseArgs),
+    /// Grade the answer codes of a course: a table with score and reason for each.
+    Grade(GradeArgs),
     /// Repeat the paper's experiments: records, tables, figures.
     Experiment(ExperimentArgs),
 }

@@ -3,6 +3,7 @@
 use mo_copp::document::DocumentError;
 use mo_copp::domain::generate::GenerateError;
 use mo_copp::domain::pddl::import::ImportError;
+use mo_copp::exercise::ExerciseError;
 use mo_copp::experiment::ExperimentError;
 use mo_copp::limits::LimitReached;
 use mo_copp::pddl::PddlError;
@@ -67,6 +68,9 @@ pub enum CliError {
     /// A model that is too large to write.
     #[error("{0}")]
     Limit(#[from] LimitReached),
+    /// An exercise without a variant of the seed.
+    #[error("{0}")]
+    Exercise(#[from] ExerciseError),
     /// An experiment that cannot go on.
     #[error("{0}")]
     Experiment(#[from] ExperimentError),

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use mo_copp::document::DocumentError;
 use mo_copp::domain::Document;
+use mo_copp::exercise::Exercise;
 use mo_copp::problem::Problem;
 use mo_copp::solver::{Bounds, OptionsError, Watched};
 
@@ -72,21 +73,31 @@ pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
 /// A document and its problem.
 pub fn document(path: &Path) -> Result<(Document, Arc<Problem>), CliError> {
     let text = text(path)?;
-    let wrong = |error: DocumentError| {
-        let place = error.place(&text);
-        // Editors and terminals follow this.
-        let file = format!("{}:{}:{}", path.display(), place.line, place.column);
-        match error {
-            // It would say the place for a second time.
-            DocumentError::Syntax { found, expected, .. } => {
-                CliError::Read { file, reason: format!("found {found}, expected {expected}") }
-            }
-            error => CliError::Document { file, error },
-        }
-    };
+    let wrong = |error: DocumentError| placed(path, &text, error);
     let document = Document::parse(&text).map_err(wrong)?;
     let problem = Arc::new(document.problem().map_err(wrong)?);
     Ok((document, problem))
+}
+
+/// The exercise of a document, and the document's text.
+pub fn exercise(path: &Path) -> Result<(Exercise, String), CliError> {
+    let text = text(path)?;
+    let exercise = Exercise::parse(&text).map_err(|error| placed(path, &text, error))?;
+    Ok((exercise, text))
+}
+
+/// An error with its place in a file.
+fn placed(path: &Path, text: &str, error: DocumentError) -> CliError {
+    let place = error.place(text);
+    // Editors and terminals follow this.
+    let file = format!("{}:{}:{}", path.display(), place.line, place.column);
+    match error {
+        // It would say the place for a second time.
+        DocumentError::Syntax { found, expected, .. } => {
+            CliError::Read { file, reason: format!("found {found}, expected {expected}") }
+        }
+        error => CliError::Document { file, error },
+    }
 }
 
 /// The bounds meant.

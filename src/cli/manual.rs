@@ -9,7 +9,8 @@ use super::print;
 
 /// Prints the JSON Schema of documents; the exit code.
 pub fn schema() -> Result<u8, CliError> {
-    print(&format!("{:#}\n", mo_copp::domain::schema::schema()))?;
+    let schema = mo_copp::exercise::schema::with_exercises(mo_copp::domain::schema::schema());
+    print(&format!("{schema:#}\n"))?;
     Ok(0)
 }
 

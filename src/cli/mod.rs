@@ -6,6 +6,7 @@
 mod args;
 mod encode;
 mod error;
+mod exercise;
 mod experiment;
 mod generate;
 mod import;
@@ -54,6 +55,8 @@ pub fn main() -> ExitCode {
         Command::Schema => manual::schema(),
         Command::Completions(args) => manual::completions(&args),
         Command::Manual(args) => manual::run(&args),
+        Command::Exercise(args) => unless_stopped(move || exercise::run(&args)),
+        Command::Grade(args) => unless_stopped(move || exercise::grade::run(&args)),
         Command::Experiment(args) => experiment::run_command(&args),
     };
     match done {

@@ -51,6 +51,17 @@ impl Json {
         let whole = read.and_then(|json| reader.end().map(|()| json));
         whole.map_err(|error| explained(text, &error))
     }
+
+    /// The same without a key, where the value is an object.
+    pub fn without(self, key: &str) -> Self {
+        match self {
+            Self::Object(entries) if entries.iter().any(|(known, _)| **known == *key) => {
+                let entries = entries.into_vec().into_iter();
+                Self::Object(entries.filter(|(known, _)| **known != *key).collect())
+            }
+            other => other,
+        }
+    }
 }
 
 /// As compact JSON, cut off where it gets long.

@@ -35,6 +35,9 @@ use crate::document::json::Json;
 use crate::document::reader::Reader;
 use crate::problem::Problem;
 
+/// The key of a document under which an exercise stands. The problem does not depend on it.
+pub const EXERCISE: &str = "exercise";
+
 /// A problem document of any format.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "format", rename_all = "kebab-case")]
@@ -93,7 +96,7 @@ impl From<Pddl> for Document {
 }
 
 impl Document {
-    /// Reads a document of any format.
+    /// Reads a document of any format. An exercise in it is no part of the problem: the module `exercise` reads it.
     ///
     /// # Errors
     ///
@@ -111,7 +114,7 @@ impl Document {
     pub fn parse(text: &str) -> Result<Self, DocumentError> {
         const EXPECTED: &str =
             "gridworld, box-pushing, recycling-robot, delivery, explicit or pddl";
-        let json = Json::parse(text)?;
+        let json = Json::parse(text)?.without(EXERCISE);
         let reader = Reader::new(&json);
         let format = reader.entries()?.required("format", EXPECTED)?;
         let Json::Text(name) = format.value() else { return Err(format.expected(EXPECTED)) };

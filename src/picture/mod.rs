@@ -73,6 +73,8 @@ pub struct PictureOptions {
     /// Whether headings, the list of goals and the line about the step are there; without them a picture is
     /// its boards alone.
     pub captions: bool,
+    /// Whether the true goal is marked as such.
+    pub true_goal: bool,
     /// Light or dark.
     pub theme: Theme,
 }
@@ -80,7 +82,13 @@ pub struct PictureOptions {
 impl PictureOptions {
     /// All boards of one step with captions, light.
     pub fn step(step: usize) -> Self {
-        Self { steps: Steps::One(step), boards: Boards::All, captions: true, theme: Theme::Light }
+        Self {
+            steps: Steps::One(step),
+            boards: Boards::All,
+            captions: true,
+            true_goal: true,
+            theme: Theme::Light,
+        }
     }
 
     /// All boards of all steps, each shown so long, with captions, light.
@@ -162,7 +170,11 @@ pub fn draw(
     {
         return Err(PictureError::Step { found, last: plan.len() });
     }
-    let scene = Scene::new(document, problem);
+    let mut scene = Scene::new(document, problem);
+    if !options.true_goal {
+        // No goal has this name.
+        scene.true_goal.clear();
+    }
     let trace = TraceReport::overview(problem, plan, LISTED_STATES)?;
     let sheet = sheet::Sheet::new(&scene, document, &trace, options);
     match options.steps {

@@ -5,6 +5,8 @@ mod belief;
 mod classical;
 mod elimination;
 #[cfg(feature = "full")]
+mod exercise;
+#[cfg(feature = "full")]
 mod import;
 mod request;
 mod scene;
@@ -16,6 +18,8 @@ pub use advice::{AdviceReport, RemedyReport};
 pub use belief::{BeliefReport, Feature, Share};
 pub use classical::{PlanReport, PlanStats};
 pub use elimination::{EliminationReport, MissedReport};
+#[cfg(feature = "full")]
+pub use exercise::{ExerciseReport, FindingReport, SolutionReport, VerdictReport};
 #[cfg(feature = "full")]
 pub use import::{ImportReport, read_import_files, read_import_options};
 pub use request::{Request, read_request};

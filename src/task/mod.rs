@@ -25,6 +25,8 @@ use std::sync::Arc;
 pub use builder::{TaskBuilder, TaskError};
 pub use fact::Fact;
 pub use operator::{Action, Operator, OperatorId};
+#[cfg(feature = "full")]
+pub(crate) use space::Edge;
 pub(crate) use space::{StateId, StateSpace};
 pub use state::State;
 

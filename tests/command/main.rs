@@ -5,6 +5,7 @@
 
 mod bad_input;
 mod encode;
+mod exercise;
 mod experiment;
 mod gallery;
 mod generate;

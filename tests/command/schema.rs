@@ -48,7 +48,7 @@ fn an_independent_validator_takes_every_document_and_no_broken_one() {
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("schema.json");
     fs::write(&file, schema().to_string()).unwrap();
     let mut documents = Vec::new();
-    for folder in ["examples", "www/problems"] {
+    for folder in ["examples", "examples/exercises", "www/problems"] {
         let entries = fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap().path());
         documents.extend(entries.filter(|path| path.extension().is_some_and(|e| e == "json")));
     }

@@ -37,11 +37,27 @@ const MODULES: Table = &[
         ],
     ),
     (
+        "exercise",
+        &[
+            "document",
+            "domain",
+            "goal_difference",
+            "limits",
+            "plan",
+            "problem",
+            "sensor",
+            "solver",
+            "task",
+            "trace",
+        ],
+    ),
+    (
         "report",
         &[
             "belief",
             "document",
             "domain",
+            "exercise",
             "goal_difference",
             "plan",
             "problem",
@@ -58,8 +74,8 @@ const MODULES: Table = &[
     (
         "bindings",
         &[
-            "document", "domain", "limits", "picture", "plan", "problem", "report", "solver",
-            "trace",
+            "document", "domain", "exercise", "limits", "picture", "plan", "problem", "report",
+            "solver", "trace",
         ],
     ),
     (
@@ -67,6 +83,7 @@ const MODULES: Table = &[
         &[
             "document",
             "domain",
+            "exercise",
             "experiment",
             "limits",
             "pddl",

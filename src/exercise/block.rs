@@ -1,0 +1,182 @@
+//! The block `exercise` of a document.
+
+use serde::Serialize;
+
+use super::kind::Kind;
+use crate::document::DocumentError;
+use crate::document::json::Json;
+use crate::document::reader::Reader;
+use crate::domain::EXERCISE;
+
+/// The most attempts that can be asked for.
+const MAX_ATTEMPTS: u32 = 99;
+
+/// The most hints.
+const MAX_HINTS: usize = 20;
+
+/// What may be drawn anew for a variant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Vary {
+    /// Where the agent starts, and what the observers believe at first.
+    Start,
+    /// The cells of the goals.
+    Goals,
+    /// The walls.
+    Walls,
+    /// Which candidate goal is the true one.
+    TrueGoal,
+    /// The walk that the question is about.
+    Plan,
+}
+
+impl Vary {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Start, Self::Goals, Self::Walls, Self::TrueGoal, Self::Plan];
+
+    /// The name in documents.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Goals => "goals",
+            Self::Walls => "walls",
+            Self::TrueGoal => "true_goal",
+            Self::Plan => "plan",
+        }
+    }
+}
+
+/// What is kept from the person who answers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Hidden {
+    /// The solvers, and what they found.
+    Solvers,
+    /// The best goal difference possible.
+    Best,
+    /// What the observers believe and which goals are possible.
+    Beliefs,
+}
+
+impl Hidden {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Solvers, Self::Best, Self::Beliefs];
+
+    /// The name in documents.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Solvers => "solvers",
+            Self::Best => "best",
+            Self::Beliefs => "beliefs",
+        }
+    }
+}
+
+/// An exercise as its document has it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Block {
+    /// The question.
+    pub(super) kind: Kind,
+    /// A name for the exercise.
+    pub(super) title: Option<String>,
+    /// What the author says before the question.
+    pub(super) introduction: Option<String>,
+    /// Hints, one after another.
+    pub(super) hints: Vec<String>,
+    /// How many answers may be tried; any number when left out.
+    pub(super) attempts: Option<u32>,
+    /// What is not shown; what would give the answer away when left out.
+    pub(super) hide: Option<Vec<Hidden>>,
+    /// Whether the problem can be edited while the question stands.
+    pub(super) lock: bool,
+    /// What differs from variant to variant.
+    pub(super) vary: Vec<Vary>,
+}
+
+impl Block {
+    /// What is not shown.
+    pub(super) fn hidden(&self) -> Vec<Hidden> {
+        self.hide.clone().unwrap_or_else(|| match self.kind.watching() {
+            Some(_) => Hidden::ALL.to_vec(),
+            None => vec![Hidden::Solvers, Hidden::Best],
+        })
+    }
+}
+
+/// The keys that any exercise may have.
+pub(super) const KEYS: [&str; 8] =
+    ["kind", "title", "introduction", "hints", "attempts", "hide", "lock", "vary"];
+
+impl Block {
+    /// Reads the block of a document's text; none where it has none.
+    pub(super) fn read(text: &str) -> Result<Option<Self>, DocumentError> {
+        let json = Json::parse(text)?;
+        let entries = Reader::new(&json).entries()?;
+        entries.optional(EXERCISE).map(|block| Self::of(&block)).transpose()
+    }
+
+    fn of(block: &Reader<'_>) -> Result<Self, DocumentError> {
+        let entries = block.entries()?;
+        let kind = Kind::read(&entries)?;
+        let known = [&KEYS[..], Kind::keys(kind.name())].concat();
+        let fields = block.fields(&known)?;
+        let text = |key: &str| {
+            fields.optional(key).map(|reader| reader.text().map(str::to_owned)).transpose()
+        };
+        let list = |key: &str, most: usize| match fields.optional(key) {
+            None => Ok(Vec::new()),
+            Some(reader) => {
+                let items = reader.list(|item| Ok(item.clone()))?;
+                if items.len() > most {
+                    let found = format!("a list of {}", items.len());
+                    return Err(DocumentError::invalid(
+                        reader.path(),
+                        found,
+                        format!("at most {most}"),
+                    ));
+                }
+                Ok(items)
+            }
+        };
+        let mut hints = Vec::new();
+        for hint in list("hints", MAX_HINTS)? {
+            hints.push(hint.text()?.to_owned());
+        }
+        let attempts = fields.optional("attempts").map(|reader| reader.integer(1..=MAX_ATTEMPTS));
+        let lock = fields.optional("lock").map(|reader| reader.boolean()).transpose()?;
+        Ok(Self {
+            kind,
+            title: text("title")?,
+            introduction: text("introduction")?,
+            hints,
+            attempts: attempts.transpose()?,
+            hide: fields
+                .optional("hide")
+                .map(|_| listed(&list("hide", Hidden::ALL.len())?, &Hidden::ALL, Hidden::name))
+                .transpose()?,
+            lock: lock.unwrap_or(true),
+            vary: listed(&list("vary", Vary::ALL.len())?, &Vary::ALL, Vary::name)?,
+        })
+    }
+}
+
+/// Names out of a few, each at most once.
+fn listed<T: Copy + PartialEq>(
+    items: &[Reader<'_>],
+    all: &[T],
+    name: impl Fn(T) -> &'static str,
+) -> Result<Vec<T>, DocumentError> {
+    let mut found = Vec::with_capacity(items.len());
+    for item in items {
+        let names = || all.iter().map(|&value| name(value)).collect::<Vec<_>>().join(", ");
+        let known =
+            item.text().ok().and_then(|text| all.iter().copied().find(|&v| name(v) == text));
+        let value = known.ok_or_else(|| item.expected(format!("one of {}", names())))?;
+        if found.contains(&value) {
+            let twice = format!("{} for the second time", name(value));
+            return Err(DocumentError::invalid(item.path(), twice, "each name once"));
+        }
+        found.push(value);
+    }
+    Ok(found)
+}

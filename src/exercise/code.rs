@@ -1,0 +1,235 @@
+//! Answer codes: seed and answer in a short text that can be copied, and that shows when it was changed.
+//!
+//! The bytes of a code are a version, the digest of the exercise, the seed, attempts and hints, the choices of the answer,
+//! and a checksum over all of these. In text they are Crockford's base 32 (no letter can be taken for a digit) in groups
+//! of five. The code proves which answer was given to which question. It holds no secret, so it does not prove who gave
+//! it, nor how many attempts that took.
+
+use std::sync::LazyLock;
+
+use data_encoding::{Encoding, Specification};
+use serde_json::json;
+use sha2::{Digest as _, Sha256};
+use thiserror::Error;
+
+use super::answer::{Answer, MAX_ANSWER};
+use super::block::Block;
+use crate::domain::Document;
+
+/// The first byte. Another layout of the bytes gets another.
+const VERSION: u8 = 1;
+
+/// Bytes of an exercise's digest.
+const DIGEST: usize = 5;
+
+/// Bytes of the checksum: of a hundred million changed codes about one in ten thousand times one passes.
+const CHECKSUM: usize = 5;
+
+/// Signs between two dashes.
+const GROUP: usize = 5;
+
+/// The longest code that is read, in signs; the longest that is written is shorter.
+const MAX_SIGNS: usize = 8 * MAX_ANSWER;
+
+/// The signs of a code.
+const SIGNS: &str = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
+
+/// Base 32 with the signs that people mistake for others read as those.
+static ENCODING: LazyLock<Option<Encoding>> = LazyLock::new(|| {
+    let mut specification = Specification::new();
+    specification.symbols.push_str(SIGNS);
+    specification.translate.from.push_str("abcdefghjkmnpqrstvwxyzOoIiLl");
+    specification.translate.to.push_str("ABCDEFGHJKMNPQRSTVWXYZ001111");
+    specification.ignore.push_str("- ");
+    specification.encoding().ok()
+});
+
+/// What an exercise is told apart by: its problem and its question, not the words around it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Digest([u8; DIGEST]);
+
+impl Digest {
+    /// The digest of a document with its exercise. Titles, introductions and hints may change without a new one.
+    pub(super) fn new(document: &Document, block: &Block) -> Self {
+        // Keys in the order of the alphabet, whatever order the text had.
+        let text = json!([document, block.kind, block.vary]).to_string();
+        let bytes = Sha256::digest(text.as_bytes());
+        Self(std::array::from_fn(|index| bytes[index]))
+    }
+}
+
+/// How often an answer was tried, and how many hints were shown, as the page counts it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Tally {
+    /// Answers tried, this one among them.
+    pub attempts: u32,
+    /// Hints shown.
+    pub hints: u32,
+}
+
+/// Why a code is not graded.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum CodeError {
+    /// The text is no code.
+    #[error("no answer code")]
+    NoCode,
+    /// The checksum does not fit.
+    #[error("the code was edited or is not complete")]
+    Edited,
+    /// The code is of a version that this program does not know.
+    #[error("the code is of version {version}, which this program does not read")]
+    Version {
+        /// The version.
+        version: u8,
+    },
+    /// The code is of another exercise.
+    #[error("the code is of another exercise")]
+    OtherExercise,
+    /// The code is of another seed.
+    #[error("the code is of seed {found}, expected {expected}")]
+    OtherSeed {
+        /// The seed of the code.
+        found: u64,
+        /// The seed that it should have.
+        expected: u64,
+    },
+    /// The seed of the code has no variant.
+    #[error("the exercise has no variant of seed {seed}")]
+    NoVariant {
+        /// The seed of the code.
+        seed: u64,
+    },
+    /// The answer in the code does not fit the question.
+    #[error("the code holds no answer to the question")]
+    Answer,
+}
+
+/// What a code holds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Read {
+    /// The seed.
+    pub(super) seed: u64,
+    /// Attempts and hints.
+    pub(super) tally: Tally,
+    /// The choices of the answer.
+    pub(super) choices: Vec<u32>,
+}
+
+fn checksum(payload: &[u8]) -> [u8; CHECKSUM] {
+    let bytes = Sha256::new_with_prefix(b"mo-copp answer").chain_update(payload).finalize();
+    std::array::from_fn(|index| bytes[index])
+}
+
+/// Writes a number in bytes of seven bits, the lowest first.
+fn push(bytes: &mut Vec<u8>, mut number: u64) {
+    while number >= 0x80 {
+        bytes.push(number as u8 | 0x80);
+        number >>= 7;
+    }
+    bytes.push(number as u8);
+}
+
+/// Reads such a number, in the shortest form that it has.
+fn pull(bytes: &mut &[u8]) -> Option<u64> {
+    let mut number = 0_u64;
+    for shift in (0..64).step_by(7) {
+        let (&byte, rest) = bytes.split_first()?;
+        *bytes = rest;
+        let part = u64::from(byte & 0x7f);
+        if (part << shift) >> shift != part || (byte == 0 && shift > 0) {
+            return None;
+        }
+        number |= part << shift;
+        if byte & 0x80 == 0 {
+            return Some(number);
+        }
+    }
+    None
+}
+
+/// The code of an answer.
+pub(super) fn write(digest: &Digest, seed: u64, answer: &Answer, tally: Tally) -> String {
+    let mut bytes = vec![VERSION];
+    bytes.extend(digest.0);
+    push(&mut bytes, seed);
+    push(&mut bytes, tally.attempts.into());
+    push(&mut bytes, tally.hints.into());
+    for &choice in answer.choices() {
+        push(&mut bytes, choice.into());
+    }
+    bytes.extend(checksum(&bytes));
+    let signs = ENCODING.as_ref().map(|encoding| encoding.encode(&bytes)).unwrap_or_default();
+    let mut text = String::with_capacity(signs.len() + signs.len() / GROUP);
+    for (index, sign) in signs.chars().enumerate() {
+        if index > 0 && index % GROUP == 0 {
+            text.push('-');
+        }
+        text.push(sign);
+    }
+    text
+}
+
+/// Reads a code.
+pub(super) fn read(digest: &Digest, code: &str, seed: Option<u64>) -> Result<Read, CodeError> {
+    let code: String =
+        code.chars().filter(|sign| !sign.is_whitespace()).take(MAX_SIGNS + 1).collect();
+    if code.len() > MAX_SIGNS {
+        return Err(CodeError::NoCode);
+    }
+    let encoding = ENCODING.as_ref().ok_or(CodeError::NoCode)?;
+    let bytes = encoding.decode(code.as_bytes()).map_err(|_| CodeError::NoCode)?;
+    if bytes.len() < 1 + DIGEST + 3 + CHECKSUM {
+        return Err(CodeError::NoCode);
+    }
+    let (payload, sum) = bytes.split_at(bytes.len() - CHECKSUM);
+    if checksum(payload) != sum {
+        return Err(CodeError::Edited);
+    }
+    let (head, mut rest) = payload.split_at(1 + DIGEST);
+    if head[0] != VERSION {
+        return Err(CodeError::Version { version: head[0] });
+    }
+    if head[1..] != digest.0 {
+        return Err(CodeError::OtherExercise);
+    }
+    let mut number = || pull(&mut rest).ok_or(CodeError::Answer);
+    let found = number()?;
+    let small = |number: u64| u32::try_from(number).map_err(|_| CodeError::Answer);
+    let tally = Tally { attempts: small(number()?)?, hints: small(number()?)? };
+    let mut choices = Vec::new();
+    while !rest.is_empty() {
+        choices.push(small(pull(&mut rest).ok_or(CodeError::Answer)?)?);
+    }
+    match seed {
+        Some(expected) if expected != found => Err(CodeError::OtherSeed { found, expected }),
+        _ => Ok(Read { seed: found, tally, choices }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_come_back_and_have_one_form() {
+        for number in [0, 1, 127, 128, 300, u64::from(u32::MAX), u64::MAX] {
+            let mut bytes = Vec::new();
+            push(&mut bytes, number);
+            let mut rest = &bytes[..];
+            assert_eq!((pull(&mut rest), rest.len()), (Some(number), 0));
+        }
+        assert_eq!(pull(&mut &[0x80, 0x00][..]), None);
+        assert_eq!(pull(&mut &[0xff; 11][..]), None);
+        assert_eq!(pull(&mut &[][..]), None);
+    }
+
+    #[test]
+    fn the_signs_are_those_of_crockford() {
+        let encoding = ENCODING.as_ref().unwrap();
+        assert_eq!(encoding.encode(&[0xff, 0x00, 0xff, 0x00, 0xff]), "ZW0FY07Z");
+        assert_eq!(encoding.decode(b"zw-0fy 07z").unwrap(), [0xff, 0x00, 0xff, 0x00, 0xff]);
+        assert_eq!(encoding.decode(b"ZWOFYO7Z").unwrap(), [0xff, 0x00, 0xff, 0x00, 0xff]);
+        assert!(encoding.decode(b"U").is_err());
+    }
+}

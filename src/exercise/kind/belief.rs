@@ -1,0 +1,106 @@
+//! Where the agent can be for an observer after a walk: the observer's belief.
+
+use serde::Serialize;
+
+use super::{Question, Solved, Watching};
+use crate::document::DocumentError;
+use crate::document::reader::Fields;
+use crate::exercise::answer::{Answer, Arity, Form, MAX_ANSWER, MAX_CHOICES};
+use crate::exercise::subject::Subject;
+use crate::exercise::verdict::{Finding, Verdict};
+use crate::exercise::{Difficulty, Unfit};
+use crate::task::StateSpace;
+
+/// The question.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub(in crate::exercise) struct Belief {
+    /// The walk and the observer.
+    #[serde(flatten)]
+    pub(super) watching: Watching,
+}
+
+impl Belief {
+    pub(super) fn read(fields: &Fields<'_>) -> Result<Self, DocumentError> {
+        Ok(Self { watching: Watching::read(fields)? })
+    }
+
+    /// All states that some walk from a state believed at first leads to, in order of the packed states.
+    fn states(&self, subject: &Subject) -> Result<Vec<Vec<u64>>, Unfit> {
+        let problem = &subject.problem;
+        let mut space = StateSpace::new(problem.task().clone());
+        let mut next = None;
+        for state in &problem.observers()[self.watching.observer(problem)].initial_belief {
+            let state = space.intern(state);
+            next.get_or_insert(state);
+        }
+        let mut states = Vec::new();
+        while let Some(state) = next {
+            space.expand(state);
+            states.push(space.words(state).to_vec());
+            if space.len() > MAX_CHOICES {
+                return Err(Unfit::too_large());
+            }
+            next = space.after(state);
+        }
+        states.sort_unstable();
+        Ok(states)
+    }
+}
+
+impl Question for Belief {
+    fn text(&self, subject: &Subject) -> String {
+        let who = self.watching.who(&subject.problem);
+        format!("{}: where can the agent be for all that {who} knows?", self.watching.walk())
+    }
+
+    fn form(&self, subject: &Subject) -> Result<Form, Unfit> {
+        let states = self.states(subject)?;
+        let choices = states.iter().map(|words| subject.problem.label(words)).collect();
+        Ok(Form { arity: Arity::Set, choice: "state", choices })
+    }
+
+    fn solve(&self, subject: &Subject, form: &Form) -> Result<Solved, Unfit> {
+        let states = self.states(subject)?;
+        let witness = self.watching.witness(subject)?;
+        let mut believed = Vec::new();
+        for words in witness.believed(witness.steps()) {
+            let place = states.iter().position(|known| known == words);
+            believed.push(place.ok_or_else(Unfit::too_large)? as u32);
+        }
+        if believed.len() > MAX_ANSWER {
+            return Err(Unfit::too_large());
+        }
+        let mut remarks = Vec::new();
+        if believed.len() == 1 {
+            remarks.push("only one state is possible".to_owned());
+        }
+        if believed.len() == states.len() {
+            remarks.push("every state is possible".to_owned());
+        }
+        let difficulty = Difficulty { size: believed.len(), steps: witness.steps() };
+        let answer = form.answer(believed).ok_or_else(Unfit::too_large)?;
+        Ok(Solved { answer, difficulty, remarks })
+    }
+
+    fn check(&self, subject: &Subject, answer: &Answer) -> Verdict {
+        let (states, witness) = (self.states(subject), self.watching.witness(subject));
+        let (states, mut witness) = match (states, witness) {
+            (Ok(states), Ok(witness)) => (states, witness),
+            (Err(unfit), _) | (_, Err(unfit)) => {
+                return Verdict::wrong([Finding::plain(unfit.to_string())]);
+            }
+        };
+        // What was taken for possible and is not comes before what is missing.
+        for chosen in [true, false] {
+            for (place, state) in states.iter().enumerate() {
+                let holds = |words: &[u64]| words == &state[..];
+                let is_chosen = answer.choices().contains(&(place as u32));
+                if is_chosen == chosen && witness.possible(holds) != chosen {
+                    let name = format!("{}", subject.problem.label(state));
+                    return Verdict::wrong([witness.finding(&name, holds)]);
+                }
+            }
+        }
+        Verdict::right()
+    }
+}

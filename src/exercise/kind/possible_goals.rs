@@ -1,0 +1,68 @@
+//! Which goals are possible for an observer after a walk: the goals that survive in its belief.
+
+use serde::Serialize;
+
+use super::{Question, Solved, Watching};
+use crate::document::DocumentError;
+use crate::document::reader::Fields;
+use crate::exercise::answer::{Answer, Arity, Form};
+use crate::exercise::subject::Subject;
+use crate::exercise::verdict::{Finding, Verdict};
+use crate::exercise::{Difficulty, Unfit};
+
+/// The question.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub(in crate::exercise) struct PossibleGoals {
+    /// The walk and the observer.
+    #[serde(flatten)]
+    pub(super) watching: Watching,
+}
+
+impl PossibleGoals {
+    pub(super) fn read(fields: &Fields<'_>) -> Result<Self, DocumentError> {
+        Ok(Self { watching: Watching::read(fields)? })
+    }
+}
+
+impl Question for PossibleGoals {
+    fn text(&self, subject: &Subject) -> String {
+        let who = self.watching.who(&subject.problem);
+        format!("{}: which goals are possible for {who}?", self.watching.walk())
+    }
+
+    fn form(&self, subject: &Subject) -> Result<Form, Unfit> {
+        Ok(Form::named(Arity::Set, "goal", subject.goal_names()))
+    }
+
+    fn solve(&self, subject: &Subject, form: &Form) -> Result<Solved, Unfit> {
+        let witness = self.watching.witness(subject)?;
+        let count = form.choices.len();
+        let possible: Vec<u32> = (0..count as u32)
+            .filter(|&goal| witness.possible(|words| subject.in_goal(goal as usize, words)))
+            .collect();
+        let mut remarks = Vec::new();
+        if possible.is_empty() {
+            remarks.push("no goal is possible".to_owned());
+        }
+        if possible.len() == count {
+            remarks.push("every goal is possible".to_owned());
+        }
+        let difficulty = Difficulty { size: possible.len(), steps: witness.steps() };
+        let answer = form.answer(possible).ok_or_else(Unfit::too_large)?;
+        Ok(Solved { answer, difficulty, remarks })
+    }
+
+    fn check(&self, subject: &Subject, answer: &Answer) -> Verdict {
+        let mut witness = match self.watching.witness(subject) {
+            Ok(witness) => witness,
+            Err(unfit) => return Verdict::wrong([Finding::plain(unfit.to_string())]),
+        };
+        for (goal, name) in subject.goal_names().enumerate() {
+            let holds = |words: &[u64]| subject.in_goal(goal, words);
+            if witness.possible(holds) != answer.choices().contains(&(goal as u32)) {
+                return Verdict::wrong([witness.finding(name, holds)]);
+            }
+        }
+        Verdict::right()
+    }
+}

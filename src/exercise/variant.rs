@@ -1,0 +1,325 @@
+//! Variants: the same question with other numbers, drawn by a seed and checked.
+
+use std::sync::Arc;
+
+use rand::{Rng, RngExt, SeedableRng};
+use rand_pcg::Pcg32;
+use sha2::{Digest as _, Sha256};
+
+use super::answer::{Answer, Form};
+use super::block::{Block, Vary};
+use super::edit::Draft;
+use super::kind::{Kind, Solved};
+use super::subject::Subject;
+use super::verdict::Verdict;
+use super::witness::MAX_STATES;
+use super::{Difficulty, ExerciseError, Unfit};
+use crate::document::DocumentError;
+use crate::domain::Document;
+use crate::domain::grid::Cell;
+use crate::problem::Problem;
+use crate::task::{StateId, StateSpace};
+
+/// How many variants are drawn for a seed before there is none.
+const MAX_TRIES: u32 = 500;
+
+/// Seeds of names are below this, so that they can be read out.
+const MOST_SEEDS: u64 = 1_000_000;
+
+/// The question of a seed, with a right answer to it.
+#[derive(Debug, Clone)]
+pub struct Variant {
+    seed: u64,
+    subject: Subject,
+    kind: Kind,
+    form: Form,
+    solved: Solved,
+}
+
+impl Variant {
+    /// Asks a question of a problem, and finds a right answer.
+    pub(super) fn new(seed: u64, subject: Subject, kind: Kind) -> Result<Self, Unfit> {
+        let form = kind.question().form(&subject)?;
+        let solved = kind.question().solve(&subject, &form)?;
+        // The answer was found by one way, and is checked by another.
+        if !kind.question().check(&subject, &solved.answer).right {
+            return Err(Unfit::new("the answer that was found does not pass its check"));
+        }
+        Ok(Self { seed, subject, kind, form, solved })
+    }
+
+    /// The seed.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// The document of the problem, without the exercise.
+    pub fn document(&self) -> &Document {
+        &self.subject.document
+    }
+
+    /// The problem.
+    pub fn problem(&self) -> &Arc<Problem> {
+        &self.subject.problem
+    }
+
+    /// The question in words.
+    pub fn question(&self) -> String {
+        self.kind.question().text(&self.subject)
+    }
+
+    /// What an answer is made of.
+    pub fn form(&self) -> &Form {
+        &self.form
+    }
+
+    /// The walk that the question tells; none where the answer is a walk, or the walk is kept back.
+    pub fn plan(&self) -> Option<&[String]> {
+        match &self.kind {
+            Kind::Guess(_) => None,
+            kind => kind.watching().map(|watching| &watching.plan[..]),
+        }
+    }
+
+    /// The walk that the question is about, told or not.
+    pub(super) fn walk(&self) -> Option<&[String]> {
+        self.kind.watching().map(|watching| &watching.plan[..])
+    }
+
+    /// The observer that the question is about.
+    pub fn observer(&self) -> Option<&str> {
+        self.kind.watching().map(|watching| &watching.observer[..])
+    }
+
+    /// What is placed: `camera`, `wall` or `start`.
+    pub fn placed(&self) -> Option<&'static str> {
+        self.kind.placed()
+    }
+
+    /// A right answer.
+    pub fn solution(&self) -> &Answer {
+        &self.solved.answer
+    }
+
+    /// How hard the question is.
+    pub fn difficulty(&self) -> Difficulty {
+        self.solved.difficulty
+    }
+
+    /// What makes the question trivial: of a variant that was drawn, nothing.
+    pub fn remarks(&self) -> &[String] {
+        &self.solved.remarks
+    }
+
+    /// What is said of an answer.
+    pub fn check(&self, answer: &Answer) -> Verdict {
+        self.kind.question().check(&self.subject, answer)
+    }
+}
+
+/// The seed of a name, for a variant that belongs to a person: the same wherever the name is written the same.
+pub fn seed_of(name: &str) -> u64 {
+    let bytes = Sha256::digest(name.trim().as_bytes());
+    let number = bytes.iter().take(8).fold(0_u64, |number, &byte| number << 8 | u64::from(byte));
+    1 + number % (MOST_SEEDS - 1)
+}
+
+/// What varies must be there to vary.
+pub(super) fn check_vary(block: &Block, document: &Document) -> Result<(), DocumentError> {
+    let draft = Draft::new(document);
+    for (index, vary) in block.vary.iter().enumerate() {
+        let there = match vary {
+            Vary::Start => draft.start().is_some(),
+            Vary::Goals => !draft.goals().is_empty(),
+            Vary::Walls => !draft.walls().is_empty(),
+            Vary::TrueGoal => true,
+            Vary::Plan => block.kind.watching().is_some(),
+        };
+        if !there {
+            let found = format!("{} in an exercise of the kind {}", vary.name(), block.kind.name());
+            let expected =
+                format!("something that a {} document has and the question needs", draft.format());
+            return Err(DocumentError::invalid(format!("exercise.vary[{index}]"), found, expected));
+        }
+    }
+    Ok(())
+}
+
+/// Draws the variant of a seed.
+pub(super) fn draw(block: &Block, original: &Variant, seed: u64) -> Result<Variant, ExerciseError> {
+    if seed == 0 || block.vary.is_empty() {
+        return Ok(Variant { seed, ..original.clone() });
+    }
+    let mut random = Pcg32::seed_from_u64(seed);
+    for _ in 0..MAX_TRIES {
+        let Some((subject, kind)) = drawn(block, original, &mut random) else { continue };
+        let Ok(variant) = Variant::new(seed, subject, kind) else { continue };
+        if variant.solved.remarks.is_empty()
+            && original.difficulty().is_near(variant.solved.difficulty)
+        {
+            return Ok(variant);
+        }
+    }
+    Err(ExerciseError::NoVariant { seed, tries: MAX_TRIES })
+}
+
+/// A question with other numbers; none where they make no problem.
+fn drawn(block: &Block, original: &Variant, random: &mut impl Rng) -> Option<(Subject, Kind)> {
+    let varies = |vary: Vary| block.vary.contains(&vary);
+    let mut draft = Draft::new(&original.subject.document);
+    if varies(Vary::Start) || varies(Vary::Goals) || varies(Vary::Walls) {
+        draw_cells(&mut draft, &varies, random)?;
+    }
+    if varies(Vary::TrueGoal) {
+        let names: Vec<&str> = original.subject.goal_names().collect();
+        draft.set_true_goal(names[below(random, names.len())?]);
+    }
+    let document = draft.finish().ok()?;
+    let problem = Arc::new(document.problem().ok()?);
+    let kind = match block.kind.watching() {
+        None => block.kind.clone(),
+        Some(watching) => {
+            let plan = if !varies(Vary::Plan) {
+                watching.plan.clone()
+            } else if matches!(block.kind, Kind::Guess(_)) {
+                walk_to_goal(&problem, random)?
+            } else {
+                random_walk(&problem, watching.plan.len(), random)?
+            };
+            block.kind.with_plan(plan)
+        }
+    };
+    Some((Subject { document, problem }, kind))
+}
+
+/// A number below another; none where there is none.
+fn below(random: &mut impl Rng, count: usize) -> Option<usize> {
+    let count = u32::try_from(count).ok().filter(|&count| count > 0)?;
+    Some(random.random_range(0..count) as usize)
+}
+
+/// Takes so many of the cells at random.
+fn take(random: &mut impl Rng, cells: &mut Vec<Cell>, count: usize) -> Option<Vec<Cell>> {
+    (0..count).map(|_| Some(cells.swap_remove(below(random, cells.len())?))).collect()
+}
+
+/// Draws walls, goals, start and beliefs, those that vary, as many as there were.
+fn draw_cells(
+    draft: &mut Draft,
+    varies: &dyn Fn(Vary) -> bool,
+    random: &mut impl Rng,
+) -> Option<()> {
+    let [width, height] = draft.size()?;
+    let (mut walls, mut goals, mut start) = (draft.walls(), draft.goals(), draft.start()?);
+    let mut free: Vec<Cell> =
+        (0..height).flat_map(|row| (0..width).map(move |column| [column, row])).collect();
+    free.retain(|cell| {
+        (varies(Vary::Walls) || !walls.contains(cell))
+            && (varies(Vary::Goals) || !goals.contains(cell))
+            && (varies(Vary::Start) || start != *cell)
+    });
+    if varies(Vary::Walls) {
+        walls = take(random, &mut free, walls.len())?;
+        draft.set_walls(&walls);
+    }
+    if varies(Vary::Goals) {
+        goals = take(random, &mut free, goals.len())?;
+        draft.set_goals(&goals);
+    }
+    if varies(Vary::Start) {
+        start = take(random, &mut free, 1)?[0];
+        draft.set_start(start);
+    }
+    for observer in ["adversarial", "cooperative"] {
+        let Some(belief) = draft.belief(observer) else { continue };
+        if varies(Vary::Start) || varies(Vary::Walls) {
+            let mut others: Vec<Cell> =
+                free.iter().chain(&goals).copied().filter(|&cell| cell != start).collect();
+            let mut cells = take(random, &mut others, belief.len().checked_sub(1)?)?;
+            cells.push(start);
+            cells.sort_unstable();
+            draft.set_belief(observer, &cells);
+        }
+    }
+    Some(())
+}
+
+/// A walk of so many steps that does not go straight back where it need not.
+fn random_walk(problem: &Problem, steps: usize, random: &mut impl Rng) -> Option<Vec<String>> {
+    let task = problem.task();
+    let mut space = StateSpace::new(Arc::clone(task));
+    let mut at = space.intern(task.initial_state());
+    let mut before = at;
+    let mut names = Vec::with_capacity(steps);
+    for _ in 0..steps {
+        space.expand(at);
+        let onward: Vec<_> = space.edges(at).iter().filter(|edge| edge.target != before).collect();
+        let edges = if onward.is_empty() { space.edges(at).iter().collect() } else { onward };
+        let edge = edges[below(random, edges.len())?];
+        names.push(task.action_name(edge.action).to_owned());
+        (before, at) = (at, edge.target);
+    }
+    Some(names)
+}
+
+/// A walk to the true goal: up to two steps anywhere, then a shortest one.
+fn walk_to_goal(problem: &Problem, random: &mut impl Rng) -> Option<Vec<String>> {
+    let task = problem.task();
+    let mut space = StateSpace::new(Arc::clone(task));
+    let mut next = Some(space.intern(task.initial_state()));
+    while let Some(state) = next {
+        space.expand(state);
+        if space.len() > MAX_STATES {
+            return None;
+        }
+        next = space.after(state);
+    }
+    let distances = goal_distances(&space);
+    let mut at = StateId(0);
+    let mut names = Vec::new();
+    let aside = random.random_range(0..3_u32);
+    while names.len() < MAX_STATES {
+        let here = distances[at.index()]?;
+        let wandering = (names.len() as u32) < aside;
+        if here == 0 && !wandering {
+            return Some(names);
+        }
+        let nearer = |target: StateId| distances[target.index()] == here.checked_sub(1);
+        let edges: Vec<_> =
+            space.edges(at).iter().filter(|edge| wandering || nearer(edge.target)).collect();
+        let edge = edges[below(random, edges.len())?];
+        names.push(task.action_name(edge.action).to_owned());
+        at = edge.target;
+    }
+    None
+}
+
+/// The steps from each state to the true goal, in a space that is expanded in full.
+fn goal_distances(space: &StateSpace) -> Vec<Option<usize>> {
+    let task = space.task();
+    let mut before: Vec<Vec<usize>> = vec![Vec::new(); space.len()];
+    let mut distances = vec![None; space.len()];
+    let mut queue = Vec::new();
+    for (index, distance) in distances.iter_mut().enumerate() {
+        let state = StateId(index as u32);
+        for edge in space.edges(state) {
+            before[edge.target.index()].push(index);
+        }
+        if task.satisfies(space.words(state), task.goal()) {
+            *distance = Some(0);
+            queue.push(index);
+        }
+    }
+    let mut done = 0;
+    while let Some(&state) = queue.get(done) {
+        done += 1;
+        let next = distances[state].map(|steps| steps + 1);
+        for &earlier in &before[state] {
+            if distances[earlier].is_none() {
+                distances[earlier] = next;
+                queue.push(earlier);
+            }
+        }
+    }
+    distances
+}

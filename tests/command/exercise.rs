@@ -1,0 +1,202 @@
+//! `mo-copp exercise` and `mo-copp grade`.
+
+use std::fs;
+use std::path::PathBuf;
+
+use serde_json::Value;
+
+use crate::{EXPLICIT, Ran, mo_copp};
+
+fn text(name: &str) -> String {
+    let path = format!("{}/examples/exercises/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    fs::read_to_string(path).unwrap()
+}
+
+const GOALS: &str = "01-possible-goals";
+
+#[test]
+fn show_prints_the_question_and_the_solution_only_where_it_is_asked_for() {
+    let shown = mo_copp(&text(GOALS), &["exercise", "show", "-"]);
+    assert_eq!(shown.code, 0, "{}", shown.err);
+    assert_eq!(
+        shown.out,
+        "Two axes\n\
+         The enemy sees whether a step is vertical or horizontal, and not which way it goes.\n\
+         After the walk west, west, north, north: which goals are possible for the enemy?\n\
+         kind: possible-goals, seed: 0\n"
+    );
+    let solved = mo_copp(&text(GOALS), &["exercise", "show", "-", "--solution"]);
+    assert!(
+        solved.out.ends_with("solution: [\"G1\",\"G2\"]\ndifficulty: size 2, steps 4\n"),
+        "{}",
+        solved.out
+    );
+    let json = mo_copp(&text(GOALS), &["exercise", "show", "-", "--json"]).json();
+    assert!(json.get("solution").is_none());
+    assert_eq!(json["form"]["choices"].as_array().unwrap().len(), 4);
+    assert!(json["document"].get("exercise").is_none());
+    let json =
+        mo_copp(&text(GOALS), &["exercise", "show", "-", "--json", "--solution", "--seed", "7"])
+            .json();
+    assert_eq!(json["seed"], 7);
+    assert!(json["solution"]["answer"].is_array());
+}
+
+#[test]
+fn a_variant_of_a_name_is_an_exercise_that_can_be_solved() {
+    let variant = mo_copp(&text(GOALS), &["exercise", "variant", "-", "--student", "Ada"]);
+    assert_eq!(variant.code, 0, "{}", variant.err);
+    let document: Value = serde_json::from_str(&variant.out).unwrap();
+    assert!(document["exercise"].get("vary").is_none());
+    let again = mo_copp(&text(GOALS), &["exercise", "variant", "-", "--student", "Ada"]);
+    assert_eq!(again.out, variant.out);
+    let other = mo_copp(&text(GOALS), &["exercise", "variant", "-", "--student", "Alan"]);
+    assert_ne!(other.out, variant.out);
+    let shown = mo_copp(&variant.out, &["exercise", "show", "-", "--solution", "--json"]).json();
+    let answer = shown["solution"]["answer"].to_string();
+    let checked = mo_copp(&variant.out, &["exercise", "check", "-", "--answer", &answer]);
+    assert_eq!((checked.code, checked.out.lines().next()), (0, Some("right")));
+    // The problem of a document with an exercise is solved as any other.
+    assert_eq!(mo_copp(&variant.out, &["solve", "-"]).code, 0);
+}
+
+#[test]
+fn a_wrong_answer_ends_with_1_and_a_walk_that_shows_it() {
+    let wrong = mo_copp(&text(GOALS), &["exercise", "check", "-", "--answer", "G1"]);
+    assert_eq!(wrong.code, 1);
+    assert!(
+        wrong
+            .out
+            .starts_with("wrong\nG2 is possible for the enemy: the walk east, east, north, north")
+    );
+    let json = mo_copp(&text(GOALS), &["exercise", "check", "-", "--answer", "G1", "--json"]);
+    assert_eq!(json.code, 1);
+    let json = json.json();
+    assert_eq!((&json["score"], &json["right"]), (&0.into(), &false.into()));
+    let shown = &json["findings"][0]["counterexample"];
+    assert_eq!(
+        shown["symbols"],
+        serde_json::json!(["horizontal", "horizontal", "vertical", "vertical"])
+    );
+    let refused = mo_copp(&text(GOALS), &["exercise", "check", "-", "--answer", "G9"]);
+    assert_eq!(refused.code, 2);
+    assert_eq!(
+        refused.err,
+        "mo-copp: --answer: answer[0]: found \"G9\", expected a goal of G1, G2, G3, G4\n"
+    );
+}
+
+#[test]
+fn what_is_no_exercise_is_refused_with_its_place() {
+    let none = mo_copp(EXPLICIT, &["exercise", "show", "-"]);
+    assert_eq!(none.code, 2);
+    assert!(
+        none.err.contains("exercise: found nothing, expected an exercise, an object with a kind"),
+        "{}",
+        none.err
+    );
+    let broken = text(GOALS).replace("\"attempts\": 3", "\"attempts\": 300");
+    let refused = mo_copp(&broken, &["exercise", "show", "-"]);
+    assert_eq!(refused.code, 2);
+    let line = broken.lines().position(|line| line.contains("attempts")).unwrap() + 1;
+    assert!(refused.err.starts_with(&format!("mo-copp: -:{line}:")), "{}", refused.err);
+}
+
+/// Files of a test in a folder of its own.
+fn file(name: &str, contents: &str) -> PathBuf {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&path, contents).unwrap();
+    path
+}
+
+/// The code of an answer; of a right one where none is given.
+fn code(seed: &str, answer: Option<&str>) -> String {
+    let show = ["exercise", "show", "-", "--seed", seed, "--solution", "--json"];
+    let solution = mo_copp(&text(GOALS), &show).json()["solution"]["answer"].to_string();
+    let answer = answer.unwrap_or(&solution);
+    let check = ["exercise", "check", "-", "--seed", seed, "--answer", answer, "--json"];
+    mo_copp(&text(GOALS), &check).json()["code"].as_str().unwrap().to_owned()
+}
+
+fn graded(name: &str, codes: &str, more: &[&str]) -> Ran {
+    let exercise = file(&format!("{name}.json"), &text(GOALS));
+    let arguments = [&["grade", exercise.to_str().unwrap(), "-"], more].concat();
+    mo_copp(codes, &arguments)
+}
+
+/// The rows of a table, by the names of its columns.
+fn rows(table: &str) -> Vec<std::collections::HashMap<String, String>> {
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    reader.deserialize().map(Result::unwrap).collect()
+}
+
+#[test]
+fn grade_checks_every_answer_again_and_gives_reasons() {
+    let (right, wrong) = (code("7", None), code("7", Some("")));
+    let mut edited: Vec<char> = right.chars().collect();
+    edited[8] = if edited[8] == 'A' { 'B' } else { 'A' };
+    let edited: String = edited.into_iter().collect();
+    let check = ["exercise", "check", "-", "--answer", "[0, 0]", "--json"];
+    let other = mo_copp(&text("06-camera"), &check).json()["code"].as_str().unwrap().to_owned();
+    let table = format!(
+        "name,code,seed,score\nAda,{right},7,100\nAlan,{wrong},7,1\nBob,{edited},7,1\nCleo,{other},,1\nDan,{right},8,1\n\
+         Eve,,7,1\nFay,hello,,1\nGil,{},,1\n",
+        right.to_lowercase().replace('-', "")
+    );
+    let ran = graded("grade", &table, &[]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let lines: Vec<&str> = ran.out.lines().collect();
+    assert_eq!(lines[0], "name,code,seed,score,score,reason,seed,answer,attempts,hints");
+    let fields = |line: usize| -> Vec<String> {
+        let mut reader =
+            csv::ReaderBuilder::new().has_headers(false).from_reader(lines[line].as_bytes());
+        reader.records().next().unwrap().unwrap().iter().skip(4).map(str::to_owned).collect()
+    };
+    assert_eq!(fields(1)[..3], ["1", "", "7"]);
+    // What the table itself said of a score plays no part.
+    assert_eq!(fields(2)[0], "0");
+    assert!(fields(2)[1].contains("is possible for the enemy"), "{:?}", fields(2));
+    assert_eq!(fields(2)[3], "[]");
+    assert_eq!(fields(3)[..2], ["0", "the code was edited or is not complete"]);
+    assert_eq!(fields(4)[..2], ["0", "the code is of another exercise"]);
+    assert_eq!(
+        fields(5)[..3],
+        ["0", "the code is of seed 7, expected 8; the same code as in line 2", "7"]
+    );
+    assert_eq!(fields(6)[..2], ["0", "no answer"]);
+    assert_eq!(fields(7)[..2], ["0", "no answer code"]);
+    assert_eq!(fields(8)[..2], ["1", "the same code as in line 2"]);
+}
+
+#[test]
+fn the_seed_may_belong_to_the_name_in_a_column() {
+    let check = |name: &str| {
+        let show = ["exercise", "show", "-", "--student", name, "--solution", "--json"];
+        let answer = mo_copp(&text(GOALS), &show).json()["solution"]["answer"].to_string();
+        let check = ["exercise", "check", "-", "--student", name, "--answer", &answer, "--json"];
+        mo_copp(&text(GOALS), &check).json()["code"].as_str().unwrap().to_owned()
+    };
+    let table = format!("Code,Name\n{},Ada\n{},Alan\n", check("Ada"), check("Ada"));
+    let ran = graded("student", &table, &["--student", "name"]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let rows = rows(&ran.out);
+    assert_eq!((&rows[0]["score"][..], &rows[1]["score"][..]), ("1", "0"));
+    assert!(rows[1]["reason"].starts_with("the code is of seed "), "{}", rows[1]["reason"]);
+}
+
+#[test]
+fn a_table_without_codes_is_refused_with_its_line() {
+    let ran = graded("without", "name,answer\nAda,G1\n", &[]);
+    assert_eq!(
+        (ran.code, &ran.err[..]),
+        (2, "mo-copp: -:1:1: found \"name,answer\", expected a column code\n")
+    );
+    let ran = graded("seed", "code,seed\nX,7\nY,seven\n", &[]);
+    assert_eq!(
+        (ran.code, &ran.err[..]),
+        (2, "mo-copp: -:3:1: found the seed \"seven\", expected a whole number or nothing\n")
+    );
+    let ran = graded("column", "code,seed\nX,7\n", &["--student", "name"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("expected a column name"), "{}", ran.err);
+}

@@ -1,0 +1,132 @@
+//! The block `exercise` of a document: what is read, what is refused and with which words.
+
+use mo_copp::domain::Document;
+use mo_copp::exercise::{Exercise, Hidden};
+use serde_json::{Value, json};
+
+use super::text;
+
+/// A document with one key of its exercise changed; null takes the key out.
+fn changed(name: &str, key: &str, value: Value) -> String {
+    let mut document: Value = serde_json::from_str(&text(name)).unwrap();
+    let block = document["exercise"].as_object_mut().unwrap();
+    match value {
+        Value::Null => drop(block.remove(key)),
+        value => drop(block.insert(key.to_owned(), value)),
+    }
+    document.to_string()
+}
+
+fn refused(name: &str, key: &str, value: Value) -> String {
+    Exercise::parse(&changed(name, key, value)).unwrap_err().to_string()
+}
+
+const GOALS: &str = "01-possible-goals";
+
+#[test]
+fn errors_name_the_place_what_was_found_and_what_was_expected() {
+    assert_eq!(
+        refused(GOALS, "kind", json!("riddle")),
+        r#"exercise.kind: found "riddle", expected one of possible-goals, belief, walk, best, placement, guess"#
+    );
+    assert_eq!(
+        refused(GOALS, "colour", json!("red")),
+        "exercise: found the unknown key \"colour\", expected only kind, title, introduction, hints, attempts, hide, lock, \
+         vary, observer, plan"
+    );
+    assert_eq!(
+        refused(GOALS, "observer", json!("friend")),
+        r#"exercise.observer: found "friend", expected one of adversarial, cooperative"#
+    );
+    assert_eq!(
+        refused(GOALS, "plan", Value::Null),
+        "exercise.plan: found nothing, expected a list of actions"
+    );
+    assert_eq!(
+        refused(GOALS, "plan", json!(["up"])),
+        "exercise.plan: found step 1: found \"up\", expected an action of this problem: north, south, east, west, \
+         expected a walk of the problem"
+    );
+    assert_eq!(
+        refused(GOALS, "attempts", json!(0)),
+        "exercise.attempts: found 0, expected a whole number from 1 to 99"
+    );
+    assert_eq!(
+        refused(GOALS, "hide", json!(["beliefs", "walls"])),
+        r#"exercise.hide[1]: found "walls", expected one of solvers, best, beliefs"#
+    );
+    assert_eq!(
+        refused(GOALS, "vary", json!(["plan", "plan"])),
+        "exercise.vary[1]: found plan for the second time, expected each name once"
+    );
+    assert_eq!(
+        refused("08-delivery", "vary", json!(["walls"])),
+        "exercise.vary[0]: found walls in an exercise of the kind possible-goals, \
+         expected something that a delivery document has and the question needs"
+    );
+    assert_eq!(
+        refused("06-camera", "goal", json!("G9")),
+        "exercise.goal: found \"G9\", expected the name of a candidate goal: G1, G2, G3, G4"
+    );
+    assert_eq!(
+        refused("06-camera", "place", json!("tower")),
+        r#"exercise.place: found "tower", expected one of camera, wall, start"#
+    );
+    assert_eq!(
+        refused("09-walk-difference", "goal_difference", json!(2)),
+        "exercise.goal_difference: found 2, expected a number from -1 to 1"
+    );
+    assert_eq!(
+        refused("09-walk-difference", "goal_difference", Value::Null),
+        "exercise.goal_difference: found nothing, \
+         expected the goal difference that the walk must have, or at_most, its most steps"
+    );
+    assert_eq!(
+        refused("10-walk-both", "at_most", json!(1)),
+        "exercise: found no walk answers the question, expected a question with an answer"
+    );
+    let long = vec!["north"; 101];
+    assert_eq!(
+        refused(GOALS, "plan", json!(long)),
+        "exercise.plan: found 101 actions, expected at most 100"
+    );
+}
+
+#[test]
+fn a_document_without_a_block_is_no_exercise() {
+    let plain = r#"{"format": "delivery", "factories": [{"name": "A", "packages": ["a1", "a2"]}], "deliver": 1,
+        "true_goal": "a1", "observers": {"adversarial": {"sensor": {"load": "l", "deliver": "d"}},
+        "cooperative": {"sensor": {"load": "l", "deliver": "d"}}}}"#;
+    assert!(!Exercise::is_in(plain));
+    assert_eq!(
+        Exercise::parse(plain).unwrap_err().to_string(),
+        "exercise: found nothing, expected an exercise, an object with a kind"
+    );
+    assert!(Exercise::is_in(&text(GOALS)));
+}
+
+#[test]
+fn the_problem_of_a_document_does_not_depend_on_its_exercise() {
+    let whole = text(GOALS);
+    let mut bare: Value = serde_json::from_str(&whole).unwrap();
+    bare.as_object_mut().unwrap().remove("exercise");
+    assert_eq!(Document::parse(&whole).unwrap(), Document::parse(&bare.to_string()).unwrap());
+}
+
+#[test]
+fn what_is_hidden_follows_from_the_kind_unless_it_is_said() {
+    let hidden = |text: &str| Exercise::parse(text).unwrap().hidden();
+    assert_eq!(hidden(&text(GOALS)), Hidden::ALL);
+    assert_eq!(hidden(&text("12-best")), [Hidden::Solvers, Hidden::Best]);
+    assert_eq!(hidden(&changed(GOALS, "hide", json!(["best"]))), [Hidden::Best]);
+}
+
+#[test]
+fn a_problem_that_is_too_large_is_refused() {
+    let mut document: Value = serde_json::from_str(&text("02-belief")).unwrap();
+    (document["width"], document["height"]) = (json!(100), json!(100));
+    assert_eq!(
+        Exercise::parse(&document.to_string()).unwrap_err().to_string(),
+        "exercise: found the problem is too large for an exercise, expected a question with an answer"
+    );
+}

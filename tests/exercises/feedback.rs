@@ -1,0 +1,163 @@
+//! Answers and what is said of them: a walk that shows what is wrong.
+
+use mo_copp::exercise::Counterexample;
+use mo_copp::plan::Plan;
+use mo_copp::problem::Problem;
+
+use super::{exercise, verdict};
+
+/// The symbols that an observer sees of a walk, by replay; none where the walk begins elsewhere than the agent.
+fn replayed(problem: &Problem, shown: &Counterexample) -> Option<(Vec<String>, String)> {
+    let start = problem.label(problem.task().initial_state().words()).to_string();
+    if shown.start.to_string() != start {
+        return None;
+    }
+    let plan = Plan::from_names(problem.task(), &shown.actions).unwrap();
+    let replay = mo_copp::trace::trace(problem, &plan).unwrap();
+    let observer = problem.observer_named(&shown.observer).unwrap();
+    let symbols = replay.steps.iter().filter_map(|step| step.symbols[observer].clone()).collect();
+    let end = problem.label(replay.steps.last().unwrap().state.words()).to_string();
+    Some((symbols, end))
+}
+
+#[test]
+fn a_missing_goal_is_shown_by_a_walk_with_the_same_symbols() {
+    let exercise = exercise("01-possible-goals");
+    let variant = exercise.original();
+    assert_eq!(variant.form().to_json(variant.solution()).to_string(), r#"["G1","G2"]"#);
+    let said = verdict(variant, "G1");
+    assert!(!said.right);
+    assert_eq!(
+        said.reason(),
+        "G2 is possible for the enemy: the walk east, east, north, north from [2, 4] shows it the same symbols and ends at \
+         [4, 2]."
+    );
+}
+
+#[test]
+fn a_goal_too_many_is_shown_by_the_walk_that_agrees_longest() {
+    let exercise = exercise("01-possible-goals");
+    let variant = exercise.original();
+    let said = verdict(variant, "G1,G2,G4");
+    let shown = said.findings[0].counterexample.clone().unwrap();
+    assert!(
+        said.reason()
+            .starts_with("G4 is not possible for the enemy: of all walks that end there, "),
+        "{}",
+        said.reason()
+    );
+    let differs = shown.differs.unwrap();
+    let seen = ["horizontal", "horizontal", "vertical", "vertical"];
+    assert_eq!(shown.symbols[..differs - 1], seen[..differs - 1]);
+    assert_ne!(shown.symbols[differs - 1], seen[differs - 1]);
+}
+
+#[test]
+fn every_counterexample_of_every_seed_holds_by_replay() {
+    let mut replays = 0;
+    for name in ["01-possible-goals", "02-belief", "03-guess"] {
+        let exercise = exercise(name);
+        for seed in 0..60 {
+            let variant = exercise.variant(seed).unwrap();
+            let right = variant.solution().choices().to_vec();
+            for choice in 0..variant.form().choices.len() as u32 {
+                // One choice more or less than right, or another one.
+                let mut other = right.clone();
+                match other.iter().position(|&known| known == choice) {
+                    Some(place) if other.len() > 1 => drop(other.remove(place)),
+                    Some(_) => continue,
+                    None if name == "03-guess" => other = vec![choice],
+                    None => other.push(choice),
+                }
+                let answer = variant.form().answer(other).unwrap();
+                let said = variant.check(&answer);
+                assert!(!said.right && !said.reason().is_empty(), "{name} seed {seed}");
+                let Some(shown) = &said.findings[0].counterexample else { continue };
+                let Some((symbols, end)) = replayed(variant.problem(), shown) else { continue };
+                assert_eq!((&symbols, &end), (&shown.symbols, &shown.end.to_string()));
+                replays += 1;
+            }
+        }
+    }
+    assert!(replays > 500, "{replays}");
+}
+
+#[test]
+fn a_walk_is_told_where_it_fails_and_what_it_lacks() {
+    let exercise = exercise("11-head-fake");
+    let variant = exercise.original();
+    let says = |answer: &str| verdict(variant, answer).reason().to_owned();
+    assert_eq!(
+        says("south"),
+        "The walk can't be carried out: step 1: found south, which is not applicable in [5, 5]: it leads nowhere from there."
+    );
+    assert_eq!(says("north"), "The walk ends at [5, 4], which is not in the true goal G1.");
+    let said = verdict(variant, "north,north,north,east,east,east");
+    assert!(said.reason().starts_with("The walk has goal difference "), "{}", said.reason());
+    assert!(said.reason().ends_with("; there is a better one."));
+    assert!(
+        said.findings.iter().any(|finding| finding.text.contains("is not possible for the enemy"))
+    );
+    let solution = variant.form().to_json(variant.solution()).to_string();
+    assert!(verdict(variant, &solution).right);
+}
+
+#[test]
+fn too_many_steps_are_counted() {
+    let exercise = exercise("04-walk-length");
+    let variant = exercise.original();
+    let right: Vec<u32> = variant.solution().choices().to_vec();
+    assert!(right.len() <= 10);
+    // There and back again, until it is too long.
+    let names: Vec<String> =
+        variant.form().labels(variant.solution()).iter().map(ToString::to_string).collect();
+    let back = match &names[0][..] {
+        "north" => "south",
+        "south" => "north",
+        "east" => "west",
+        _ => "east",
+    };
+    let mut long = Vec::new();
+    for _ in 0..4 {
+        long.extend([names[0].clone(), back.to_owned()]);
+    }
+    long.extend(names);
+    let said = verdict(variant, &long.join(","));
+    assert_eq!(
+        said.reason(),
+        format!("The walk has {} steps; at most 10 are asked for.", long.len())
+    );
+}
+
+#[test]
+fn a_placement_says_why_it_does_not_do() {
+    let exercise = exercise("07-wall");
+    let variant = exercise.original();
+    let says = |cell: &str| verdict(variant, cell).reason().to_owned();
+    assert_eq!(
+        says("[3, 4]"),
+        "The wall can't be placed in [3, 4]: start: found [3, 4], which is a wall, expected a free cell."
+    );
+    assert!(
+        says("[3, 3]")
+            .starts_with("The wall can't be placed in [3, 3]: the walk fails: step 1: found north")
+    );
+    let idle = says("[0, 0]");
+    assert!(
+        idle.starts_with("With the wall in [0, 0] G2 is possible for the enemy: the walk "),
+        "{idle}"
+    );
+}
+
+#[test]
+fn a_guess_is_answered_by_a_walk_that_shows_something_else() {
+    let exercise = exercise("03-guess");
+    let variant = exercise.original();
+    assert!(verdict(variant, "G1").right);
+    assert!(variant.plan().is_none(), "the walk is not told");
+    assert!(!variant.question().contains("north, west"), "{}", variant.question());
+    for goal in ["G2", "G3", "G4"] {
+        let said = verdict(variant, goal);
+        assert!(said.reason().contains("is not possible for the enemy"), "{}", said.reason());
+    }
+}

@@ -1,0 +1,139 @@
+//! Variants by seed: checked answers, as hard as the original, the same everywhere.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use mo_copp::exercise::{Exercise, seed_of};
+use mo_copp::plan::Plan;
+use mo_copp::trace::trace;
+
+use super::seeds::{EXERCISES, hash};
+use super::{exercise, text};
+
+/// `MO_COPP_WRITE_GOLDEN=1` writes the file anew.
+#[test]
+fn a_thousand_seeds_of_each_kind_are_the_golden_ones() {
+    let found: BTreeMap<&str, String> = EXERCISES
+        .iter()
+        .map(|&(kind, text)| (kind, format!("{:016x}", hash(text, 1000))))
+        .collect();
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/exercises.json");
+    if std::env::var_os("MO_COPP_WRITE_GOLDEN").is_some() {
+        std::fs::write(path, serde_json::to_string_pretty(&found).unwrap() + "\n").unwrap();
+    }
+    let known: BTreeMap<String, String> =
+        serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    for (kind, hash) in &found {
+        assert_eq!(Some(hash), known.get(*kind), "{kind}");
+    }
+    assert_eq!(found.len(), known.len());
+}
+
+#[test]
+fn every_exercise_of_the_project_has_a_checked_solution_and_variants_where_it_says_so() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/exercises");
+    let mut kinds = BTreeSet::new();
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "json") {
+            continue;
+        }
+        let exercise = Exercise::parse(&std::fs::read_to_string(&path).unwrap())
+            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        kinds.insert(exercise.kind());
+        count += 1;
+        assert!(exercise.title().is_some() && !exercise.hints().is_empty(), "{}", path.display());
+        for seed in 0..30 {
+            let variant = exercise.variant(seed).unwrap();
+            assert!(variant.check(variant.solution()).right, "{} seed {seed}", path.display());
+        }
+    }
+    assert_eq!((count, kinds.len()), (12, 6));
+}
+
+#[test]
+fn seeds_differ_and_seed_0_is_the_original() {
+    let exercise = exercise("01-possible-goals");
+    let told = |seed: u64| {
+        let variant = exercise.variant(seed).unwrap();
+        variant.document().to_json() + &variant.question()
+    };
+    let all: BTreeSet<String> = (1..=50).map(told).collect();
+    assert_eq!(all.len(), 50);
+    assert_eq!(told(0), exercise.original().document().to_json() + &exercise.original().question());
+    assert!(!all.contains(&told(0)));
+}
+
+#[test]
+fn an_answer_of_goals_is_what_the_independent_replay_says() {
+    let exercise = exercise("01-possible-goals");
+    for seed in 0..100 {
+        let variant = exercise.variant(seed).unwrap();
+        let problem = Arc::clone(variant.problem());
+        let plan = Plan::from_names(problem.task(), variant.plan().unwrap()).unwrap();
+        let replay = trace(&problem, &plan).unwrap();
+        let observer = problem.observer_named(variant.observer().unwrap()).unwrap();
+        let survivors = &replay.steps.last().unwrap().survivors[observer];
+        let goals: Vec<u32> = survivors.iter().map(|goal| goal as u32).collect();
+        assert_eq!(variant.solution().choices(), goals, "seed {seed}");
+    }
+}
+
+#[test]
+fn a_belief_is_what_the_independent_replay_says() {
+    let exercise = exercise("02-belief");
+    for seed in 0..100 {
+        let variant = exercise.variant(seed).unwrap();
+        let problem = Arc::clone(variant.problem());
+        let plan = Plan::from_names(problem.task(), variant.plan().unwrap()).unwrap();
+        let replay = trace(&problem, &plan).unwrap();
+        let observer = problem.observer_named(variant.observer().unwrap()).unwrap();
+        let states = &replay.steps.last().unwrap().beliefs[observer];
+        let expected: Vec<String> =
+            states.iter().map(|state| problem.label(state.words()).to_string()).collect();
+        let labels = variant.form().labels(variant.solution());
+        let found: Vec<String> = labels.iter().map(ToString::to_string).collect();
+        assert_eq!(
+            found.iter().collect::<BTreeSet<_>>(),
+            expected.iter().collect::<BTreeSet<_>>(),
+            "seed {seed}"
+        );
+    }
+}
+
+#[test]
+fn what_is_too_easy_has_no_variants() {
+    let trivial = text("01-possible-goals").replace(r#""cell": [4, 2]"#, r#""cell": [4, 4]"#);
+    let plan = r#""plan": ["west", "west", "north", "north"]"#;
+    assert!(trivial.contains(plan));
+    let trivial = trivial.replace(plan, r#""plan": ["north"]"#);
+    let error = Exercise::parse(&trivial).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "exercise.vary: found a question of which no goal is possible, \
+         expected a question that is not trivial, since variants are to be like it"
+    );
+}
+
+#[test]
+fn the_seed_of_a_name_is_the_same_everywhere() {
+    assert_eq!(seed_of("Ada Lovelace"), seed_of(" Ada Lovelace "));
+    assert_ne!(seed_of("Ada Lovelace"), seed_of("Alan Turing"));
+    assert!((1..1_000_000).contains(&seed_of("")));
+}
+
+#[test]
+fn a_written_variant_is_an_exercise_of_its_own() {
+    for name in ["01-possible-goals", "03-guess", "07-wall", "12-best"] {
+        let whole = text(name);
+        let exercise = exercise(name);
+        let variant = exercise.variant(5).unwrap();
+        let written = exercise.written(&variant, &whole).to_string();
+        let again = Exercise::parse(&written).unwrap();
+        assert!(again.vary().is_empty());
+        assert_eq!(again.original().question(), variant.question());
+        assert_eq!(again.original().solution(), variant.solution());
+        assert_eq!(again.title(), exercise.title());
+    }
+}
