@@ -105,7 +105,7 @@ test("the manifest lists what the element follows, offers and tells, and licence
     assert(names(element.attributes).includes(name), name);
   for (const name of ["document", "state", "goTo", "solve", "toSVG", "ready"])
     assert(names(element.members).includes(name), name);
-  assert.deepEqual(names(element.events), ["mo-copp-step", "mo-copp-outcome", "mo-copp-score"]);
+  assert.deepEqual(names(element.events), ["mo-copp-step", "mo-copp-outcome", "mo-copp-answer", "mo-copp-score"]);
   const guide = readFileSync(new URL("../../docs/embedding.md", import.meta.url), "utf8");
   for (const { name } of [...element.cssParts, ...element.cssProperties]) assert(guide.includes(`\`${name}\``), name);
   const bundled = readFileSync(join(packageFolder, "THIRD-PARTY.txt"), "utf8");

@@ -107,6 +107,7 @@ const FOLDERS: Table = &[
     ("gesture", &["problem", "state", "view"]),
     ("play", &["core", "state", "view"]),
     ("edit", &["gesture", "problem", "state", "view"]),
+    ("exercise", &["core", "state", "view"]),
     ("help", &["gesture", "view"]),
     ("gallery", &["help", "problem", "state", "view"]),
     ("solve", &["core", "gallery", "help", "state", "view"]),
@@ -115,12 +116,14 @@ const FOLDERS: Table = &[
     ("steps", &["core", "gallery", "help", "stage", "state", "view"]),
     ("text", &["core", "problem", "share", "state", "worker"]),
     ("playground", &["gallery", "state", "text", "view"]),
-    ("workbench", &["edit", "play", "solve", "state", "steps", "text"]),
+    ("author", &["share", "state", "view"]),
+    ("workbench", &["author", "edit", "play", "solve", "state", "steps", "text"]),
     (
         "element",
         &[
             "core",
             "edit",
+            "exercise",
             "gallery",
             "gesture",
             "help",

@@ -6,6 +6,7 @@ import "./style/controls.css";
 import "./style/goals.css";
 import "./style/delivery.css";
 import "./style/play.css";
+import "./style/exercise.css";
 import "./style/tour.css";
 import "./style/solve.css";
 import "./style/compare.css";

@@ -8,7 +8,7 @@ import "./main.js";
 
 const asked = new URLSearchParams(location.search);
 const playground = document.querySelector<MoCoppPlayground>("mo-copp-playground");
-for (const name of [...settingNames, "hide", "theme", "keys"]) {
+for (const name of [...settingNames, "hide", "theme", "keys", "exercise", "seed", "student"]) {
   const value = asked.get(name);
   if (value !== null) playground?.setAttribute(name, value);
 }

@@ -17,4 +17,7 @@ const settings: Record<Setting, true> = {
 /** How the playground behaves in its page. */
 const manners = ["hide", "link", "theme", "keys"] as const;
 
-export const followed: readonly string[] = [...Object.keys(settings), ...manners];
+/** What an exercise is asked with. */
+const questions = ["exercise", "seed", "student"] as const;
+
+export const followed: readonly string[] = [...Object.keys(settings), ...manners, ...questions];

@@ -1,4 +1,4 @@
-// What a playground tells the page it stands in: `mo-copp-step`, `mo-copp-outcome` and `mo-copp-score`.
+// What a playground tells the page it stands in: `mo-copp-step`, `mo-copp-outcome`, `mo-copp-answer` and `mo-copp-score`.
 import type { Playground } from "../playground/playground.js";
 import type { Result } from "../state/answer.js";
 import { scoreOf } from "./score.js";
@@ -7,6 +7,7 @@ export class Notifier {
   private step: string | null = null;
   private result: Result | null = null;
   private score: number | null = null;
+  private code: string | null = null;
 
   constructor(
     private readonly playground: Playground,
@@ -34,6 +35,9 @@ export class Notifier {
     const outcome = answer.result.value;
     if (outcome !== null && outcome !== this.result) this.send("mo-copp-outcome", outcome.outcome);
     this.result = outcome;
+    const code = this.playground.exercise.code.value;
+    if (code !== null && code !== this.code) this.send("mo-copp-answer", { code, score: scoreOf(this.playground) });
+    this.code = code;
     const score = scoreOf(this.playground);
     if (score !== null && score !== this.score) this.send("mo-copp-score", { score });
     this.score = score;

@@ -33,6 +33,10 @@ slot.poster { display: contents; }
  * @attr {number} j - At most so many goals survive for the friend.
  * @attr {string} horizon - Plans of so many actions; `any` for all lengths.
  * @attr {string} hide - Parts to leave out, separated by spaces.
+ * @attr {string} exercise - The block of an exercise as JSON, for a problem whose document has none.
+ * @attr {number} seed - The variant of an exercise.
+ * @attr {string} student - A name whose variant of an exercise is shown.
+ * @attr {string} name - The name under which a form sends the answer code.
  * @attr {"off"} link - `off`: this playground leaves the page's address alone.
  * @attr {"light"|"dark"|"auto"} theme - The colours; `auto`, as without it, follows the page.
  * @attr {"page"|"focus"|"off"} keys - Where keys walk through the steps.
@@ -42,7 +46,8 @@ slot.poster { display: contents; }
  *
  * @fires mo-copp-step - Another step is shown, or a step of other steps.
  * @fires mo-copp-outcome - A solver has answered; the detail is the outcome.
- * @fires mo-copp-score - A guess or a walk of the person has come to its end; the detail's `score` is from 0 to 1.
+ * @fires mo-copp-answer - The answer to an exercise was checked; the detail has its code and score.
+ * @fires mo-copp-score - A guess or a walk of the person has come to its end, or an answer was checked; the detail's `score` is from 0 to 1.
  *
  * @slot - What stands for the playground until it runs, and where it cannot.
  *
@@ -55,6 +60,7 @@ slot.poster { display: contents; }
  * @csspart adversarial-board - The enemy's board.
  * @csspart cooperative-board - The friend's board.
  * @csspart stepper - The bar of the steps.
+ * @csspart exercise - The question of an exercise, with all that belongs to it.
  * @csspart legend - What the signs mean.
  * @csspart workbench - The tabs.
  * @csspart goals - The table of goals.

@@ -14,6 +14,9 @@ import { whenNear, whenParsed } from "./when.js";
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
 export abstract class PlaygroundElement extends Base {
+  /** A form sends the code of the last answer to an exercise. */
+  static readonly formAssociated = true;
+
   static get observedAttributes(): string[] {
     return [...followed];
   }
@@ -30,6 +33,11 @@ export abstract class PlaygroundElement extends Base {
 
   constructor() {
     super();
+    const internals = this.attachInternals?.();
+    this.addEventListener?.("mo-copp-answer", (event) => {
+      // Not those of an element inside of this one.
+      if (event.target === this) internals?.setFormValue((event as CustomEvent<{ code: string }>).detail.code);
+    });
     this.ready = new Promise((resolve) => {
       this.settleReady = () => resolve(this);
     });

@@ -3,6 +3,7 @@
 import type { Playground } from "../playground/playground.js";
 import { LARGEST_DOCUMENT, LARGEST_IN_WORDS } from "../problem/limits.js";
 import { type Form, solverNames } from "../state/form.js";
+import type { Seed } from "../worker/protocol.js";
 import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
 
@@ -30,6 +31,15 @@ export function settingsOf(element: Element): Settings {
   return Object.fromEntries(settingNames.map((name) => [name, element.getAttribute(name)])) as unknown as Settings;
 }
 
+/** The variant of an exercise that the attributes ask for: that of a student before that of a number. */
+export function seedOf(element: Element): Seed {
+  const student = element.getAttribute("student");
+  if (student !== null && student.trim() !== "") return { name: student };
+  return wholeNumberOf(element.getAttribute("seed") ?? "") ?? 0;
+}
+
+const wholeNumberOf = (text: string): number | null => (/^\s*\d{1,15}\s*$/.test(text) ? Number(text) : null);
+
 /** The playground that has the page's address has its keys, unless the page says otherwise. */
 export function keyReachOf(element: Element): KeyReach {
   const asked = element.getAttribute("keys");
@@ -47,11 +57,13 @@ const pageParts = ["intro", "footer"] as const;
 export function mistakes(element: Element, names: ReadonlySet<string>): string[] {
   const value = (name: string) => (names.has(name) ? element.getAttribute(name) : null);
   const [solver, step, theme, keys] = [value("solver"), value("step"), value("theme"), value("keys")];
+  const seed = value("seed");
   const found: string[] = [];
   if (solver !== null && !isOneOf(solverNames, solver)) found.push(unusable("solver", solver, solverNames.join(", ")));
   if (step !== null && stepOf(step) === null) found.push(unusable("step", step, "a whole number from 0"));
   if (theme !== null && !isOneOf(themes, theme)) found.push(unusable("theme", theme, themes.join(", ")));
   if (keys !== null && !isOneOf(keyReaches, keys)) found.push(unusable("keys", keys, keyReaches.join(", ")));
+  if (seed !== null && wholeNumberOf(seed) === null) found.push(unusable("seed", seed, "a whole number from 0"));
   for (const part of hiddenParts(value("hide"))) {
     const known = part === "" || isOneOf(parts, part) || isOneOf(pageParts, part);
     if (!known) found.push(unusable("hide", part, `parts of the playground: ${parts.join(", ")}`));
@@ -79,6 +91,8 @@ export async function settle(
 ): Promise<boolean> {
   const opened = await openProblem(playground, settings, fallback, at, wanted);
   if (!opened || !wanted()) return false;
+  // A question is neither solved nor shown a plan.
+  if (playground.exercise.posed.value !== null) return true;
   const form = formOf(settings);
   if (Object.keys(form).length > 0) {
     playground.solving.edit(form);

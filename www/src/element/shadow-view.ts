@@ -6,6 +6,7 @@ import compare from "../style/compare.css?inline";
 import controls from "../style/controls.css?inline";
 import delivery from "../style/delivery.css?inline";
 import edit from "../style/edit.css?inline";
+import exercise from "../style/exercise.css?inline";
 import gallery from "../style/gallery.css?inline";
 import goals from "../style/goals.css?inline";
 import guest from "../style/guest.css?inline";
@@ -32,6 +33,7 @@ export const styles: readonly (readonly [name: string, text: string])[] = [
   ["goals", goals],
   ["delivery", delivery],
   ["play", play],
+  ["exercise", exercise],
   ["tour", tour],
   ["solve", solve],
   ["compare", compare],

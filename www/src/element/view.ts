@@ -3,6 +3,7 @@ import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import type { SolveOptions } from "../core.js";
 import { toolbar } from "../edit/toolbar.js";
+import type { ExerciseViewStores } from "../exercise/exercise-view.js";
 import { galleryMenu } from "../gallery/menu.js";
 import { problemBar } from "../gallery/problem-bar.js";
 import { held } from "../gesture/held.js";
@@ -26,6 +27,7 @@ import { followSymbols } from "../stage/symbols.js";
 import { optionsOf } from "../state/form.js";
 import { followRow } from "../steps/follow-row.js";
 import { cross } from "../view/icons.js";
+import { LazyPanel } from "../workbench/lazy-panel.js";
 import { workbench } from "../workbench/workbench.js";
 import { choosePlaces } from "../worker/places.js";
 import type { Answered } from "../worker/protocol.js";
@@ -40,12 +42,18 @@ import {
   keyReachOf,
   mistakes,
   type Part,
+  seedOf,
   settingNames,
   settingsOf,
   settle,
 } from "./settings.js";
 import { pictureOptions, type SvgOptions } from "./svg-options.js";
 import { schemeOf } from "./theme.js";
+
+/** An exercise is drawn by code that other problems do without. */
+const exercise = new LazyPanel<ExerciseViewStores>(
+  async () => (await import("../exercise/exercise-view.js")).exerciseView,
+);
 
 /** Attributes that change how a playground looks and behaves, and not what is open in it. */
 const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme"]);
@@ -135,7 +143,9 @@ export class View {
   }
 
   get document(): ProblemDocument | null {
-    return this.playground.problem.document.value?.value ?? null;
+    const { exercise, problem } = this.playground;
+    const asked = exercise.posed.value;
+    return asked === null ? (problem.document.value?.value ?? null) : JSON.parse(asked.text);
   }
 
   get state(): SharedState | null {
@@ -145,11 +155,13 @@ export class View {
   /** What was asked for before comes to nothing. */
   openDocument(text: string): Promise<boolean> {
     this.followed += 1;
+    this.followQuestion();
     return this.playground.edits.open(text);
   }
 
   async openState(text: string): Promise<boolean> {
     this.followed += 1;
+    this.followQuestion();
     try {
       return await restore(this.playground, readState(text));
     } catch (error) {
@@ -218,13 +230,20 @@ export class View {
   private async settle(at: "first" | "end" = "end"): Promise<void> {
     this.followed += 1;
     const now = this.followed;
+    this.followQuestion();
     const wanted = () => now === this.followed;
     const settings = settingsOf(this.host);
     const settled = await settle(this.playground, settings, inline(this.host) ?? exampleDocument, at, wanted);
     if (wanted()) this.unreachable.value = !settled && settings.src !== null;
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
-    if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners]));
+    if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners, "seed"]));
+  }
+
+  /** What an exercise is asked with. */
+  private followQuestion(): void {
+    this.playground.exercise.seed = seedOf(this.host);
+    this.playground.exercise.block = this.host.getAttribute("exercise");
   }
 
   /** Beside what else could not be used. */
@@ -239,6 +258,7 @@ export class View {
   /** The address goes before the attributes: a link that was followed holds what is wanted. */
   private async begin(): Promise<void> {
     this.begun = true;
+    this.followQuestion();
     const { state, document } = this.first;
     if (document !== null) return void this.openDocument(document);
     if (state !== null) return void this.openState(state);
@@ -262,13 +282,7 @@ export class View {
   private content(): TemplateResult {
     const playground = this.playground;
     const error = playground.answer.error.value;
-    const hidden = hiddenParts(this.host.getAttribute("hide"));
-    const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
-    const link = () => (this.sharing ? copyLink(playground, this.copier) : nothing);
-    const share = () =>
-      hidden.has("share") ? nothing : html`${pictureButton(playground, () => schemeOf(this.host))} ${link()}`;
-    // Parts that the tour speaks of may be left out; of several playgrounds the first has it.
-    const toured = this.sharing && !["gallery", "stepper", "workbench"].some((part) => hidden.has(part));
+    const asked = playground.exercise.opening.value || playground.exercise.posed.value !== null;
     return html`
       <div class="error">
         <div role="alert">${error === null ? nothing : html`<p>${error}${this.again()}</p>`}</div>
@@ -279,6 +293,21 @@ export class View {
                 @click=${() => playground.answer.dismiss()}>${cross}</button>`
         }
       </div>
+      ${asked ? exercise.panel(playground) : this.workplace()} ${dropSign(this.drops)}
+    `;
+  }
+
+  /** Everything but an exercise. */
+  private workplace(): TemplateResult {
+    const { playground } = this;
+    const hidden = hiddenParts(this.host.getAttribute("hide"));
+    const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
+    const link = () => (this.sharing ? copyLink(playground, this.copier) : nothing);
+    const share = () =>
+      hidden.has("share") ? nothing : html`${pictureButton(playground, () => schemeOf(this.host))} ${link()}`;
+    // Parts that the tour speaks of may be left out; of several playgrounds the first has it.
+    const toured = this.sharing && !["gallery", "stepper", "workbench"].some((part) => hidden.has(part));
+    return html`
       ${show("gallery", () => held(playground, () => problemBar(playground, share())))} ${show("tools", () => toolbar(playground))}
       ${stage(toured ? this.onStage.toured : this.onStage.alone)}
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
@@ -291,7 +320,7 @@ export class View {
             </div>`
       }
       ${show("workbench", () => this.printing.content(playground))}
-      ${show("gallery", () => galleryMenu(playground))} ${dropSign(this.drops)} ${announcement(this.announcer)} ${this.tour.card()}
+      ${show("gallery", () => galleryMenu(playground))} ${announcement(this.announcer)} ${this.tour.card()}
     `;
   }
 
@@ -313,9 +342,13 @@ export class View {
     const { dataset } = this.host;
     dataset.status = status.value;
     dataset.step = String(timeline.step.value);
-    if (difference.value === null) delete dataset.gd;
+    const { posed, score } = this.playground.exercise;
+    const asked = posed.value !== null;
+    if (asked || difference.value === null) delete dataset.gd;
     else dataset.gd = String(difference.value);
-    if (timeline.trace.value !== null || status.value === "error") this.shown();
+    if (!asked) delete dataset.exercise;
+    else dataset.exercise = score.value === null ? "open" : score.value === 1 ? "right" : "wrong";
+    if (asked || timeline.trace.value !== null || status.value === "error") this.shown();
     if (timeline.trace.value !== null) this.printing.prepare();
     this.follow();
     void this.playground.walk.follow();

@@ -97,5 +97,9 @@ function tellScoreAndState(playground: MoCoppPlayground): void {
     tell({ event: "score", score });
     later();
   });
+  playground.addEventListener("mo-copp-answer", (event) => {
+    tell({ event: "answer", detail: (event as CustomEvent).detail });
+    later();
+  });
   for (const name of ["mo-copp-step", "mo-copp-outcome"]) playground.addEventListener(name, later);
 }

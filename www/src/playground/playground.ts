@@ -7,6 +7,8 @@ import { Boards } from "../state/boards.js";
 import { Comparison } from "../state/comparison.js";
 import { Editing } from "../state/editing.js";
 import { Edits } from "../state/edits.js";
+import { Exercise } from "../state/exercise.js";
+import { ExerciseDraft } from "../state/exercise-draft.js";
 import { emptyForm, type Form } from "../state/form.js";
 import { Guess } from "../state/guess.js";
 import { Drafts } from "../state/numbers.js";
@@ -31,6 +33,8 @@ export class Playground {
   readonly form = signal<Form>(emptyForm);
   readonly drafts = new Drafts();
   readonly editing = new Editing();
+  readonly exercise = new Exercise();
+  readonly exerciseDraft = new ExerciseDraft();
   readonly solving = new Solving(this);
   readonly edits = new Edits(this);
   readonly plans = new Plans(this);
@@ -46,9 +50,10 @@ export class Playground {
   readonly command = new Copier();
 
   dispose(): void {
-    const { timeline, solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft } = this;
+    const { timeline, solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft, exercise } =
+      this;
     timeline.pause();
-    for (const part of [solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft])
+    for (const part of [solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft, exercise])
       part.dispose();
   }
 }

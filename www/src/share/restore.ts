@@ -3,6 +3,7 @@ import { effect } from "@preact/signals-core";
 import type { Gallery } from "../gallery/gallery.js";
 import { initialPatience } from "../state/comparison.js";
 import type { Edits } from "../state/edits.js";
+import type { Exercise } from "../state/exercise.js";
 import { emptyForm } from "../state/form.js";
 import type { Plans } from "../state/plans.js";
 import { initialExtra } from "../state/tradeoff.js";
@@ -11,6 +12,7 @@ import { planShown, type SharedState, type SharedStores } from "./shared-state.j
 
 export interface RestoreStores extends SharedStores {
   edits: Edits;
+  exercise: Exercise;
   gallery: Gallery;
   plans: Plans;
   walk: Walk;
@@ -27,6 +29,10 @@ export async function restore(playground: RestoreStores, state: SharedState): Pr
   const right = await playground.edits.open(state.document, form, state.answered ? "chosen" : "exact");
   stop();
   if (!right) return false;
+  if (playground.exercise.posed.value !== null) {
+    if (state.answer !== undefined) playground.exercise.resume(state.answer);
+    return true;
+  }
   const opened = playground.problem.document.value;
   // It may be one of the gallery's: then it has a name, and named plans.
   void playground.gallery.load();

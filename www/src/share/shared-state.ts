@@ -5,6 +5,7 @@ import { written } from "../problem/text.js";
 import type { Answer } from "../state/answer.js";
 import type { Boards, Mode } from "../state/boards.js";
 import { type Comparison, initialPatience, patiences } from "../state/comparison.js";
+import type { Exercise, KeptAnswer } from "../state/exercise.js";
 import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
 import type { Guess } from "../state/guess.js";
 import type { OpenDocument, OpenProblem } from "../state/open-problem.js";
@@ -23,6 +24,7 @@ export interface SharedStores {
   comparison: Comparison;
   tradeoff: Tradeoff;
   workbench: Workbench;
+  exercise: Pick<Exercise, "posed" | "kept">;
 }
 
 export interface SharedState {
@@ -40,6 +42,8 @@ export interface SharedState {
   mode: Mode;
   /** How many moves more than the shortest plan the trade-off looks at, where somebody chose it. */
   extra?: number;
+  /** The answer to an exercise: the document is one then. */
+  answer?: KeptAnswer;
   /** The seconds that each solver of the comparison may take, where somebody chose them; 0: without end. */
   patience?: number;
 }
@@ -47,8 +51,13 @@ export interface SharedState {
 /** The core takes no longer plans. */
 const LONGEST_PLAN = 10_000;
 const LONGEST_TITLE = 120;
+const LONGEST_ANSWER = 1000;
 
 export function stateOf(playground: SharedStores): SharedState | null {
+  const posed = playground.exercise.posed.value;
+  if (posed !== null) {
+    return { document: posed.text, form: {}, step: 0, tab: "", mode: "plan", answer: playground.exercise.kept };
+  }
   const document = playground.problem.document.value;
   if (document === null) return null;
   const { timeline } = playground;
@@ -108,7 +117,10 @@ export function readState(text: string): SharedState {
     throw new LinkError("This link is damaged.");
   }
   if (typeof value !== "object" || value === null) throw new LinkError("This link is damaged.");
-  const { document, form, answered, plan, title, step, tab, mode, extra, patience } = value as Record<string, unknown>;
+  const { document, form, answered, plan, title, step, tab, mode, extra, patience, answer } = value as Record<
+    string,
+    unknown
+  >;
   if (typeof document !== "string") throw new LinkError("This link is damaged: it holds no problem.");
   return {
     document,
@@ -121,7 +133,17 @@ export function readState(text: string): SharedState {
     mode: mode === "walk" || mode === "guess" ? mode : "plan",
     ...(isOneOf(extras, extra) ? { extra } : {}),
     ...(isOneOf([0, ...patiences], patience) ? { patience } : {}),
+    ...(isAnswer(answer) ? { answer } : {}),
   };
+}
+
+const isCount = (value: unknown): value is number => typeof value === "number" && Number.isInteger(value) && value >= 0;
+
+function isAnswer(value: unknown): value is KeptAnswer {
+  if (typeof value !== "object" || value === null) return false;
+  const { choices, attempts, hints } = value as Record<string, unknown>;
+  const fit = Array.isArray(choices) && choices.length <= LONGEST_ANSWER && choices.every(isCount);
+  return fit && isCount(attempts) && isCount(hints);
 }
 
 const isOneOf = (numbers: readonly number[], value: unknown): value is number => numbers.some((one) => one === value);

@@ -4,6 +4,7 @@ import { written } from "../problem/text.js";
 import type { ProblemDocument } from "../problem/types.js";
 import type { Answer } from "./answer.js";
 import type { Editing } from "./editing.js";
+import type { Exercise } from "./exercise.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
 import type { OpenDocument, OpenProblem } from "./open-problem.js";
 import type { Solving } from "./solving.js";
@@ -12,6 +13,7 @@ interface Stores {
   problem: OpenProblem;
   answer: Pick<Answer, "ran">;
   editing: Pick<Editing, "drag">;
+  exercise: Pick<Exercise, "close" | "open" | "textOf">;
   form: Signal<Form>;
   solving: Pick<Solving, "clear" | "follow" | "open" | "refuse">;
 }
@@ -24,7 +26,8 @@ export class Edits {
 
   /**
    * Opens a document and solves it: exactly, or with the solver chosen. One that can't be read leaves everything as it
-   * was. `at`: a problem that was not seen yet begins at its first step.
+   * was. `at`: a problem that was not seen yet begins at its first step. A document with an exercise is asked and not
+   * solved.
    */
   async open(
     text: string,
@@ -32,7 +35,14 @@ export class Edits {
     solver: "exact" | "chosen" = "exact",
     at: "first" | "end" = "end",
   ): Promise<boolean> {
-    const { problem, answer, editing, form: asked, solving } = this.stores;
+    const { problem, answer, editing, form: asked, solving, exercise } = this.stores;
+    const question = exercise.textOf(text);
+    if (question !== null) {
+      const refused = await exercise.open(question);
+      if (refused !== null) solving.refuse(refused);
+      return refused === null;
+    }
+    exercise.close();
     // What is being dragged belongs to the problem that was open.
     editing.drag.value = null;
     const document = { text, value: documentIn(text) };

@@ -1,5 +1,6 @@
 // The workbench: everything that can be done with the problem shown, one tab for each kind of work.
 import { html, type TemplateResult } from "lit";
+import type { AuthorPanelStores } from "../author/stores.js";
 import type { EditPanelStores } from "../edit/edit-panel.js";
 import type { PlayPanelStores } from "../play/play-panel.js";
 import type { CompareStores } from "../solve/compare/compare.js";
@@ -18,7 +19,8 @@ export interface WorkbenchStores
     CompareStores,
     TradeoffStores,
     StepsTableStores,
-    DocumentFormStores {}
+    DocumentFormStores,
+    AuthorPanelStores {}
 
 export interface Tab {
   name: string;
@@ -44,6 +46,11 @@ export const tabs: readonly Tab[] = [
     name: "document",
     title: "Document",
     panel: lazy(async () => (await import("../text/document-form.js")).documentForm),
+  },
+  {
+    name: "exercise",
+    title: "Exercise",
+    panel: lazy(async () => (await import("../author/author-panel.js")).authorPanel),
   },
 ];
 

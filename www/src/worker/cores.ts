@@ -2,7 +2,7 @@
 // programs. The full one is built for speed; it is fetched in the first pause, or before if something needs it, and does
 // everything from then on. Which things need it, the light core says.
 
-import initFull, { Problem as FullProblem } from "../../pkg/mo_copp.js";
+import initFull, { Exercise as FullExercise, Problem as FullProblem, seedOf } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";
 import type { Elimination } from "../core.js";
 import { WAITING } from "./names.js";
@@ -16,14 +16,21 @@ export interface Problem extends FullProblem {
 /** A core at work: it reads documents. */
 export interface Core {
   Problem: new (document: string) => Problem;
+  /** Exercises, which the full core alone has. */
+  exercises: Exercises | null;
+}
+
+export interface Exercises {
+  Exercise: new (document: string, seed: number) => FullExercise;
+  seedOf: (name: string) => number;
 }
 
 // Both are built from the same bindings.
-const light = { Problem: LightProblem } as unknown as Core;
-const full = { Problem: FullProblem } as unknown as Core;
+const light = { Problem: LightProblem, exercises: null } as unknown as Core;
+const full = { Problem: FullProblem, exercises: { Exercise: FullExercise, seedOf } } as unknown as Core;
 
 const NOT_LOADED =
-  "The part of the program for PDDL and integer programs could not be loaded. Your problem is as it was. " +
+  "The part of the program for PDDL, integer programs and exercises could not be loaded. Your problem is as it was. " +
   "Check the connection, then try again.";
 
 let current = light;
@@ -64,6 +71,12 @@ export function takeCore(message: CoreMessage): void {
 
 /** Whether an error is the light core's word that the full one is needed. */
 const needsFullCore = (error: unknown) => error instanceof Error && error.name === "NeedsFullCore";
+
+/** The exercises of a core; the light one's word that the full one is needed. */
+export function exercisesOf({ exercises }: Core): Exercises {
+  if (exercises !== null) return exercises;
+  throw Object.assign(new Error("exercises need the full core"), { name: "NeedsFullCore" });
+}
 
 /**
  * Has the current core do some work; where that takes the full one, fetches it and begins again. `begun` is told of each

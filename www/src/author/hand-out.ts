@@ -1,0 +1,60 @@
+// Ways to hand an exercise out: tried as a student, as a link, as code for a page, as a file.
+import { html, type TemplateResult } from "lit";
+import { LONGEST_LINK, MOST_TEXT, pack } from "../share/packed.js";
+import { planShown } from "../share/shared-state.js";
+import { download } from "../view/download.js";
+import type { AuthorPanelStores } from "./stores.js";
+
+const words = { "": "", copied: "Copied.", refused: "The page may not use the clipboard: copy the text from here." };
+
+export function handOut(playground: AuthorPanelStores): TemplateResult {
+  const { exerciseDraft: draft } = playground;
+  return html`<div class="actions">
+      <button type="button" class="primary" @click=${() => void attempt(playground)}>Try it as a student</button>
+      <button type="button" @click=${() => void copyLink(playground)}>Copy a link</button>
+      <button type="button" @click=${() => void copyText(playground, codeOf(documentOf(playground)))}>Copy code for a page</button>
+      <button type="button" @click=${() => download(`${documentOf(playground)}\n`, "application/json", "exercise.json")}>Save as a file</button>
+    </div>
+    <p role="status">${words[draft.copier.said.value]}</p>
+    ${
+      draft.shown.value === ""
+        ? ""
+        : html`<label>To copy <textarea readonly rows="3" .value=${draft.shown.value}
+            @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea></label>`
+    }`;
+}
+
+/** The document with its exercise. */
+export function documentOf({ exerciseDraft: draft, problem, timeline }: AuthorPanelStores): string {
+  const plan = planShown({ timeline }).slice(0, timeline.step.value);
+  const goal = problem.scene.value?.goals[0]?.name ?? "";
+  const { exercise: _, ...document } = (problem.document.value?.value ?? {}) as { exercise?: unknown };
+  return JSON.stringify({ ...document, exercise: draft.block(plan, goal) }, null, 2);
+}
+
+/** An exercise that is wrong stays in the form, with the core's word of why above the page. */
+async function attempt(playground: AuthorPanelStores): Promise<void> {
+  const { exerciseDraft: draft, problem, edits } = playground;
+  const text = documentOf(playground);
+  draft.tried.value = problem.document.value?.text ?? null;
+  if (!(await edits.open(text))) draft.tried.value = null;
+}
+
+async function copyLink(playground: AuthorPanelStores): Promise<void> {
+  const state = JSON.stringify({ document: documentOf(playground), form: {}, step: 0, tab: "", mode: "plan" });
+  const packed = state.length > MOST_TEXT ? null : await pack(state);
+  if (packed === null || packed.length > LONGEST_LINK) {
+    playground.exerciseDraft.shown.value = "This problem is too large for a link: save it as a file instead.";
+    return;
+  }
+  await copyText(playground, `${location.href.replace(/[?#].*$/s, "")}#${packed}`);
+}
+
+async function copyText({ exerciseDraft: draft }: AuthorPanelStores, text: string): Promise<void> {
+  await draft.copier.copy(text);
+  draft.shown.value = draft.copier.said.value === "refused" ? text : "";
+}
+
+/** The element with the document in it. `<` would end the script. */
+const codeOf = (document: string): string =>
+  `<mo-copp-playground link="off" name="answer" student="">\n<script type="application/json">\n${document.replaceAll("<", "\\u003c")}\n</script>\n</mo-copp-playground>\n`;

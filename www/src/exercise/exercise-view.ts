@@ -1,0 +1,100 @@
+// An exercise: its question, a picture, the controls to answer it by, what was said of the answer, and its code.
+import { html, nothing, type TemplateResult } from "lit";
+import type { ExerciseVerdict, Question } from "../core.js";
+import type { Edits } from "../state/edits.js";
+import type { Exercise } from "../state/exercise.js";
+import type { ExerciseDraft } from "../state/exercise-draft.js";
+import { counted } from "../view/numbers.js";
+import { answerForm } from "./answer-form.js";
+import { codeField } from "./code-field.js";
+import { counterexample } from "./counterexample.js";
+import { problemInWords } from "./problem-in-words.js";
+
+export interface ExerciseViewStores {
+  exercise: Exercise;
+  exerciseDraft: Pick<ExerciseDraft, "tried">;
+  edits: Pick<Edits, "open">;
+}
+
+export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewStores): TemplateResult {
+  const question = exercise.posed.value?.question;
+  if (question === undefined) return html`<p class="waiting" role="status">Loading the exercise…</p>`;
+  const tried = exerciseDraft.tried.value;
+  return html`<section class="card exercise" part="exercise" aria-labelledby="exercise-title" data-kind=${question.kind}
+      data-seed=${question.seed}>
+    <h2 id="exercise-title">${question.title ?? "Exercise"}</h2>
+    ${question.introduction === undefined ? nothing : html`<p class="introduction">${question.introduction}</p>`}
+    <p class="question" id="exercise-question">${question.question}</p>
+    <div class="asked">
+      <div class="picture">${picture(exercise, question)} ${problemInWords(question)}</div>
+      <form class="answer" aria-describedby="exercise-question" @submit=${(event: Event) => event.preventDefault()}>
+        ${answerForm(exercise, question)}
+        <div class="actions">
+          <button type="button" class="primary" ?disabled=${!exercise.canTry.value} @click=${() => void exercise.check()}>
+            Check the answer</button>
+          ${hintButton(exercise, question)}
+        </div>
+        <p class="tally">${tally(exercise, question)}</p>
+      </form>
+    </div>
+    ${hints(exercise, question)}
+    <div role="status" class="verdict">${said(exercise)}</div>
+    ${codeField(exercise)}
+    ${
+      tried === null
+        ? nothing
+        : html`<p><button type="button" @click=${() => {
+            exerciseDraft.tried.value = null;
+            exercise.leave();
+            void edits.open(tried);
+          }}>Back to editing</button></p>`
+    }
+    ${
+      question.lock
+        ? nothing
+        : html`<p><button type="button" @click=${() => void edits.open(exercise.leave())}>Open the problem in the playground</button></p>`
+    }
+  </section>`;
+}
+
+function picture(exercise: Exercise, question: Question): TemplateResult {
+  const which = question.hide.includes("beliefs") ? "The agent’s board" : "The boards of agent, enemy and friend";
+  const steps = question.form.choice === "action" ? exercise.choices.value.length : (question.plan?.length ?? 0);
+  const when = steps === 0 ? "before the first step" : `after ${counted(steps, "step")}`;
+  // As an image, the picture needs no styles of this page, and none of it reach the page.
+  return html`<img alt="${which} ${when}" src="data:image/svg+xml;charset=utf-8,${encodeURIComponent(exercise.picture.value)}" />`;
+}
+
+function tally({ attempts }: Exercise, question: Question): string {
+  const made = attempts.value;
+  if (question.attempts === undefined) return made === 0 ? "" : `${counted(made, "attempt")} so far.`;
+  const left = question.attempts - made;
+  return left > 0 ? `${counted(left, "attempt")} left.` : "No attempts left.";
+}
+
+function hintButton(exercise: Exercise, question: Question): TemplateResult | typeof nothing {
+  const left = question.hints.length - exercise.hints.value;
+  if (question.hints.length === 0) return nothing;
+  return html`<button type="button" ?disabled=${left === 0} @click=${() => exercise.hint()}>${
+    left === 0 ? "No more hints" : `Show a hint (${left} left)`
+  }</button>`;
+}
+
+function hints(exercise: Exercise, question: Question): TemplateResult | typeof nothing {
+  const shown = question.hints.slice(0, exercise.hints.value);
+  return html`<ol class="hints" aria-label="Hints" aria-live="polite" ?hidden=${shown.length === 0}>${shown.map(
+    (hint) => html`<li>${hint}</li>`,
+  )}</ol>`;
+}
+
+function said({ verdict, error, checking }: Exercise): TemplateResult | string {
+  if (checking.value) return "Checking…";
+  if (error.value !== null) return html`<p>${error.value}</p>`;
+  return verdict.value === null ? "" : judged(verdict.value);
+}
+
+function judged({ right, findings }: ExerciseVerdict): TemplateResult {
+  if (right) return html`<p data-verdict="right"><b>Right.</b></p>`;
+  return html`<p data-verdict="wrong"><b>Not right.</b></p>
+    ${findings.map((finding) => html`<p>${finding.text}</p>${finding.counterexample === undefined ? "" : counterexample(finding.counterexample)}`)}`;
+}

@@ -1,0 +1,16 @@
+// A state in a line of text.
+import type { State } from "../core.js";
+import { actionText } from "../view/action.js";
+
+export function stateText(state: State): string {
+  if (typeof state === "string") return actionText(state);
+  if (!Array.isArray(state))
+    return Object.entries(state)
+      .map(([part, value]) => `${part} ${placeText(value)}`)
+      .join(", ");
+  const [first] = state;
+  return typeof first === "number" ? placeText(state) : state.map((fact) => actionText(String(fact))).join(", ");
+}
+
+const placeText = (value: unknown): string =>
+  Array.isArray(value) ? `column ${Number(value[0]) + 1}, row ${Number(value[1]) + 1}` : String(value);

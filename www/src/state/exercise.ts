@@ -1,0 +1,231 @@
+// The exercise that is open: its question, the answer that is being made, what was said of it, and its code.
+import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
+import type { ExerciseVerdict, NextAction, Question, TraceStep } from "../core.js";
+import { Copier } from "../view/copier.js";
+import type { Ending } from "../worker/client.js";
+import type { Seed } from "../worker/protocol.js";
+import { TaskRunner } from "../worker/runner.js";
+
+/** The answer to a question as a link or a course system keeps it. */
+export interface KeptAnswer {
+  choices: number[];
+  attempts: number;
+  hints: number;
+}
+
+/** A document with an exercise, asked with a seed. */
+interface Posed {
+  text: string;
+  question: Question;
+}
+
+export class Exercise {
+  readonly posed = signal<Posed | null>(null);
+  /** An exercise is on its way. */
+  readonly opening = signal(false);
+  /** The picture: SVG. */
+  readonly picture = signal("");
+  /** What can be done after the walk that is being given; null while that is not known, or where no walk is asked for. */
+  readonly next = signal<readonly NextAction[] | null>(null);
+  /** The end of the walk that is being given. */
+  readonly last = signal<TraceStep | null>(null);
+  /** The choice that has the focus of a grid of choices. */
+  readonly cursor = signal(0);
+  readonly copier = new Copier();
+  /** The positions of the choices made. */
+  readonly choices = signal<readonly number[]>([]);
+  /** What was said of the last answer that was checked; null once another is being made. */
+  readonly verdict = signal<ExerciseVerdict | null>(null);
+  /** The code of the last answer that was checked. */
+  readonly code = signal<string | null>(null);
+  readonly score = signal<number | null>(null);
+  readonly attempts = signal(0);
+  readonly hints = signal(0);
+  /** Something went wrong. */
+  readonly error = signal<string | null>(null);
+  readonly checking = signal(false);
+  /** Whether another answer may be tried. */
+  readonly canTry: ReadonlySignal<boolean>;
+  /** What the page asks for by attributes. */
+  seed: Seed = 0;
+  block: string | null = null;
+  private readonly runner = new TaskRunner("now");
+
+  constructor() {
+    this.canTry = computed(() => {
+      const question = this.posed.value?.question;
+      if (question === undefined || this.checking.value) return false;
+      const enough = question.form.arity !== "one" || this.choices.value.length === 1;
+      const left = question.attempts === undefined || this.attempts.value < question.attempts;
+      return enough && left && this.verdict.value === null;
+    });
+  }
+
+  /** The text of a document with the exercise that belongs to it; null where it is a problem without one. */
+  textOf(text: string): string | null {
+    let value: unknown;
+    try {
+      value = JSON.parse(text);
+    } catch {
+      return null;
+    }
+    if (typeof value !== "object" || value === null) return null;
+    if (this.block !== null) return withBlock(value, this.block);
+    return "exercise" in value ? text : null;
+  }
+
+  /** Asks the question of a document. Null where that was possible, else why not. */
+  async open(text: string): Promise<string | null> {
+    this.opening.value = true;
+    const ending = await this.runner.run({ kind: "exercise", document: text, seed: this.seed });
+    if (ending.kind === "stale") return null;
+    this.opening.value = false;
+    if (ending.kind !== "asked") return messageOf(ending);
+    batch(() => {
+      this.posed.value = { text, question: ending.question };
+      this.picture.value = ending.picture;
+      this.next.value = null;
+      this.last.value = null;
+      this.cursor.value = 0;
+      this.forget();
+    });
+    if (ending.question.form.choice === "action") void this.draw();
+    return null;
+  }
+
+  /** Ends the question: the text of its problem alone. */
+  leave(): string {
+    const { posed } = this;
+    const text = JSON.stringify(posed.value?.question.document ?? {}, null, 2);
+    this.block = null;
+    this.close();
+    return text;
+  }
+
+  close(): void {
+    this.runner.drop();
+    this.opening.value = false;
+    this.posed.value = null;
+    this.forget();
+  }
+
+  /** Goes on with an answer that was kept. */
+  resume({ choices, attempts, hints }: KeptAnswer): void {
+    const question = this.posed.value?.question;
+    if (question === undefined) return;
+    this.change(choices.filter((choice) => choice < question.form.choices.length));
+    this.attempts.value = attempts;
+    this.hints.value = Math.min(hints, question.hints.length);
+  }
+
+  /** Makes a choice: the one, one more or less of a set, or the next of a sequence. */
+  choose(choice: number): void {
+    const arity = this.posed.value?.question.form.arity;
+    const before = this.choices.value;
+    if (arity === "one") this.change([choice]);
+    else if (arity === "sequence") this.change([...before, choice]);
+    else this.change(before.includes(choice) ? before.filter((other) => other !== choice) : [...before, choice]);
+  }
+
+  /** Takes the last step of a walk back. */
+  back(): void {
+    this.change(this.choices.value.slice(0, -1));
+  }
+
+  clear(): void {
+    this.change([]);
+  }
+
+  hint(): void {
+    const most = this.posed.value?.question.hints.length ?? 0;
+    this.hints.value = Math.min(most, this.hints.value + 1);
+  }
+
+  /** Has the answer checked: it counts as an attempt. */
+  async check(): Promise<void> {
+    const posed = this.posed.value;
+    if (posed === null || !this.canTry.value) return;
+    this.checking.value = true;
+    const [choices, hints, attempts] = [this.choices.value, this.hints.value, this.attempts.value + 1];
+    const { seed } = this;
+    const ending = await this.runner.run({ kind: "judge", document: posed.text, seed, choices, attempts, hints });
+    this.checking.value = false;
+    if (ending.kind === "stale" || posed !== this.posed.value) return;
+    if (ending.kind !== "judged") {
+      this.error.value = messageOf(ending);
+      return;
+    }
+    batch(() => {
+      this.error.value = null;
+      this.attempts.value = attempts;
+      this.code.value = ending.verdict.code;
+      this.score.value = ending.verdict.score;
+      // Another answer may be on its way.
+      if (choices === this.choices.value) this.verdict.value = ending.verdict;
+    });
+  }
+
+  /** The answer as a link keeps it. */
+  get kept(): KeptAnswer {
+    return { choices: [...this.choices.value], attempts: this.attempts.value, hints: this.hints.value };
+  }
+
+  dispose(): void {
+    this.runner.dispose();
+  }
+
+  private change(choices: readonly number[]): void {
+    batch(() => {
+      this.choices.value = choices;
+      this.verdict.value = null;
+      this.error.value = null;
+    });
+    if (this.posed.value?.question.form.choice === "action") void this.draw();
+  }
+
+  private forget(): void {
+    batch(() => {
+      this.choices.value = [];
+      this.verdict.value = null;
+      this.code.value = null;
+      this.score.value = null;
+      this.attempts.value = 0;
+      this.hints.value = 0;
+      this.error.value = null;
+      this.checking.value = false;
+    });
+  }
+
+  /** The picture of the walk that is being given. */
+  private async draw(): Promise<void> {
+    const posed = this.posed.value;
+    if (posed === null) return;
+    const { document, form, hide } = posed.question;
+    const plan = this.choices.value.map((choice) => String(form.choices[choice]));
+    const board = hide.includes("beliefs") ? "actor" : "all";
+    const ending = await this.runner.run({ kind: "sketch", document: JSON.stringify(document), plan, board });
+    if (ending.kind === "stale" || posed !== this.posed.value) return;
+    if (ending.kind !== "sketched") {
+      this.error.value = messageOf(ending);
+      return;
+    }
+    batch(() => {
+      this.picture.value = ending.picture;
+      this.next.value = ending.next;
+      this.last.value = ending.last;
+    });
+  }
+}
+
+function withBlock(document: object, block: string): string {
+  try {
+    return JSON.stringify({ ...document, exercise: JSON.parse(block) });
+  } catch {
+    // The core says what is wrong with it.
+    return JSON.stringify({ ...document, exercise: block });
+  }
+}
+
+function messageOf(ending: Ending): string {
+  return ending.kind === "refused" || ending.kind === "lost" ? ending.message : "The exercise could not be opened.";
+}
