@@ -1,0 +1,51 @@
+// The tab that makes an exercise of the open problem: tried as a student, as a link, as code.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { assertNoBarrier } from "./support/barriers.js";
+import { grid } from "./support/documents.js";
+import { opened } from "./support/opened.js";
+import { press } from "./support/playground.js";
+
+test("an exercise is made of the steps shown, tried, and edited again", () =>
+  opened({ document: grid(), tab: "Exercise" }, async (page) => {
+    await page.getByLabel("Title").fill("Mine");
+    await page.getByLabel("Hints, one a line").fill("One\nTwo");
+    await page.getByLabel("Attempts (empty: any number)").fill("2");
+    await assertNoBarrier(page, "the form of an exercise");
+    await press(page, "Try it as a student");
+    await page.getByRole("heading", { name: "Mine" }).waitFor();
+    await page.getByText("2 attempts left.").waitFor();
+    await page.getByRole("button", { name: "Show a hint (2 left)" }).waitFor();
+    assert.equal(await page.locator(".exercise").getAttribute("data-kind"), "possible-goals");
+    await press(page, "Back to editing");
+    await page.locator("[data-board=actor]").waitFor();
+    assert.equal(await page.getByLabel("Title").inputValue(), "Mine");
+  }));
+
+test("an exercise that is wrong stays in the form, with the core's word of why", () =>
+  opened({ document: grid(), tab: "Exercise" }, async (page) => {
+    await page.getByLabel("Attempts (empty: any number)").fill("many");
+    await press(page, "Try it as a student");
+    await page.getByText('exercise.attempts: found "many", expected a whole number from 1 to 99').waitFor();
+    await page.getByLabel("Attempts (empty: any number)").fill("");
+    await page.getByLabel("Kind of question").selectOption("walk");
+    await page.getByLabel("Goal difference of at least").fill("-1");
+    await press(page, "Try it as a student");
+    await page.locator('.exercise[data-kind="walk"]').waitFor();
+  }));
+
+test("the link opens the question, and the code holds the document", () =>
+  opened({ document: grid(), tab: "Exercise", permissions: ["clipboard-read", "clipboard-write"] }, async (page) => {
+    await page.getByLabel("Kind of question").selectOption("best");
+    await press(page, "Copy code for a page");
+    await page.getByText("Copied.").waitFor();
+    const code = await page.evaluate(() => navigator.clipboard.readText());
+    const [, document = ""] = /<script type="application\/json">\n([\s\S]*?)\n<\/script>/.exec(code) ?? [];
+    assert.deepEqual(JSON.parse(document).exercise, { kind: "best" });
+    await press(page, "Copy a link");
+    await page.waitForFunction(async () => (await navigator.clipboard.readText()).startsWith("http"));
+    const link = await page.evaluate(() => navigator.clipboard.readText());
+    await page.goto("about:blank");
+    await page.goto(link);
+    await page.locator('.exercise[data-kind="best"]').waitFor();
+  }));
