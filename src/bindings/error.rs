@@ -65,7 +65,9 @@ pub(super) fn solve(error: &SolveError) -> JsValue {
     match error {
         SolveError::Options(error) => options(error),
         SolveError::NeedsFullCore => thrown(NEEDS_FULL_CORE, &error.to_string()),
-        SolveError::Replay(_) => thrown("SolveError", &error.to_string()),
+        SolveError::Replay(_) | SolveError::TooLargeToReplay => {
+            thrown("SolveError", &error.to_string())
+        }
     }
 }
 

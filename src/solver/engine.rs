@@ -2,6 +2,7 @@
 
 use crate::limits::LimitReached;
 use crate::plan::Plan;
+use crate::trace::Witness;
 
 use super::outcome::{LengthPoint, Progress, ReachablePair, Stats, Status};
 
@@ -19,6 +20,8 @@ pub(super) enum Advance {
 pub(super) struct Finding {
     pub status: Status,
     pub plan: Option<Plan>,
+    /// Walks that show what survives, where beliefs are too large.
+    pub witnesses: Vec<Witness>,
     pub pairs: Option<Vec<ReachablePair>>,
     pub lengths: Option<Vec<LengthPoint>>,
     pub limit: Option<LimitReached>,
@@ -34,6 +37,7 @@ impl Finding {
         Self {
             status: Status::Infeasible,
             plan: None,
+            witnesses: Vec::new(),
             pairs: None,
             lengths: None,
             limit: None,

@@ -4,6 +4,7 @@ use crate::goal_difference::GoalSet;
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, SurvivorCounts};
+use crate::trace::Witness;
 
 use super::{Encoding, Solver};
 
@@ -115,6 +116,8 @@ pub struct Progress {
     pub bound: Option<f64>,
     /// The best plan found.
     pub plan: Option<Plan>,
+    /// Walks that show what survives on it, where beliefs are too large to be worked out.
+    pub witnesses: Vec<Witness>,
 }
 
 impl Progress {
@@ -128,6 +131,7 @@ impl Progress {
             goal_difference: None,
             bound: None,
             plan: None,
+            witnesses: Vec::new(),
         }
     }
 

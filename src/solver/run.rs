@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::limits::LimitReached;
 use crate::plan::PlanError;
 use crate::problem::Problem;
-use crate::trace::{Achievement, InvalidPlan, validate};
+use crate::trace::{Achievement, InvalidPlan, validate_with};
 
 use super::engine::{Advance, Engine, Finding};
 use super::error::SolveError;
@@ -216,7 +216,10 @@ impl Run {
             engine.report(&mut progress);
         } else if let Some(finding) = &self.finding {
             progress.plan.clone_from(&finding.plan);
-            let counts = finding.plan.as_ref().and_then(|plan| validate(&self.problem, plan).ok());
+            let counts = finding
+                .plan
+                .as_ref()
+                .and_then(|plan| validate_with(&self.problem, plan, &finding.witnesses).ok());
             progress.goal_difference =
                 counts.map(|achieved| self.problem.goal_difference(achieved.counts));
         }
@@ -278,6 +281,7 @@ pub fn abandoned(
     let stats = progress.map_or_else(Stats::default, |progress| progress.stats);
     let mut finding = Finding::stopped(plan, LimitReached::Cancelled);
     finding.bound = progress.and_then(|progress| progress.bound);
+    finding.witnesses = progress.map(|progress| progress.witnesses.clone()).unwrap_or_default();
     conclude(problem, options, horizon, &finding, stats)
 }
 
@@ -307,10 +311,11 @@ fn conclude(
         stats,
     };
     let replay = |plan| {
-        let achieved: Achievement = validate(problem, plan).map_err(|error| match error {
-            InvalidPlan::Step(PlanError::TooLarge { .. }) => SolveError::TooLargeToReplay,
-            error => SolveError::Replay(error.to_string()),
-        })?;
+        let achieved: Achievement =
+            validate_with(problem, plan, &finding.witnesses).map_err(|error| match error {
+                InvalidPlan::Step(PlanError::TooLarge { .. }) => SolveError::TooLargeToReplay,
+                error => SolveError::Replay(error.to_string()),
+            })?;
         if !bounds.allow(achieved.counts, &achieved.survivors) {
             return Err(SolveError::Replay("it breaks the bounds".to_owned()));
         }

@@ -11,11 +11,13 @@ mod reachable_goals;
 #[cfg(test)]
 mod tests;
 mod validator;
+mod witness;
 
 pub use belief::TracedBelief;
 pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
 pub use reachable_goals::ReachableGoals;
-pub use validator::{Achievement, InvalidPlan, validate};
+pub use validator::{Achievement, InvalidPlan, validate, validate_with};
+pub use witness::Witness;
 
 use crate::belief::StateCount;
 use crate::belief::diagram::suits;
@@ -116,6 +118,8 @@ struct Replay<'a> {
     beliefs: Vec<TracedBelief>,
     /// The most states of a belief that is listed.
     listed: usize,
+    /// By observer: every goal is known to survive in the end, so that its beliefs are left as they were.
+    all_alive: Vec<bool>,
 }
 
 impl<'a> Replay<'a> {
@@ -128,22 +132,41 @@ impl<'a> Replay<'a> {
         let operators = OperatorsByFact::new(task);
         // Where no diagram is affordable, all beliefs are listed.
         let listed = if suits(task) { crate::limits::LISTED_STATES } else { usize::MAX };
-        Ok(Self { problem, operators, path, states, at: 0, beliefs, listed })
+        let all_alive = vec![false; problem.observers().len()];
+        Ok(Self { problem, operators, path, states, at: 0, beliefs, listed, all_alive })
+    }
+
+    /// Leaves the beliefs of the observers out for whom witnesses show that every goal survives in the end.
+    fn leave_out_all_alive(&mut self, witnesses: &[Witness]) {
+        let task = self.problem.task();
+        for (place, observer) in self.problem.observers().iter().enumerate() {
+            let read = |(&operator, after): (&OperatorId, &State)| {
+                observer.sensor.read(task, operator, after.words())
+            };
+            let seen: Vec<_> = self.path.iter().zip(&self.states[1..]).map(read).collect();
+            let mut alive = GoalSet::none(self.problem.goals().len());
+            for witness in witnesses.iter().filter(|witness| witness.observer == place) {
+                if witness.holds(self.problem, &seen) {
+                    alive.insert(witness.goal);
+                }
+            }
+            self.all_alive[place] = alive.len() == self.problem.goals().len();
+        }
     }
 
     fn survivors(&self) -> Vec<GoalSet> {
         let goals = self.problem.goals();
-        let of = |belief: &TracedBelief| {
+        let of = |(belief, &all): (&TracedBelief, &bool)| {
             let mut set = GoalSet::none(goals.len());
             for (index, goal) in goals.iter().enumerate() {
                 let task = self.problem.task();
-                if belief.satisfies(task, &goal.condition) {
+                if all || belief.satisfies(task, &goal.condition) {
                     set.insert(index);
                 }
             }
             set
         };
-        self.beliefs.iter().map(of).collect()
+        self.beliefs.iter().zip(&self.all_alive).map(of).collect()
     }
 
     fn reaches_goal(&self) -> bool {
@@ -157,12 +180,15 @@ impl<'a> Replay<'a> {
         self.at += 1;
         let task = self.problem.task();
         let mut symbols = Vec::new();
-        for (observer, belief) in self.problem.observers().iter().zip(&mut self.beliefs) {
+        let observers = self.problem.observers().iter().zip(&self.all_alive);
+        for ((observer, &all_alive), belief) in observers.zip(&mut self.beliefs) {
             let sensor = &observer.sensor;
             let seen = sensor.read(task, operator, self.states[self.at].words());
-            belief
-                .update(task, &self.operators, sensor, seen, self.listed)
-                .map_err(|_| PlanError::TooLarge { step: self.at })?;
+            if !all_alive {
+                belief
+                    .update(task, &self.operators, sensor, seen, self.listed)
+                    .map_err(|_| PlanError::TooLarge { step: self.at })?;
+            }
             symbols.push(Some(sensor.name(seen).to_owned()));
         }
         Ok(Some(symbols))

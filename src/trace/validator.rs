@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::Replay;
+use super::witness::Witness;
 use crate::goal_difference::GoalSet;
 use crate::plan::{Plan, PlanError};
 use crate::problem::{Problem, SurvivorCounts};
@@ -33,10 +34,25 @@ pub enum InvalidPlan {
 ///
 /// [`InvalidPlan`] when the plan does not solve the task.
 pub fn validate(problem: &Problem, plan: &Plan) -> Result<Achievement, InvalidPlan> {
+    validate_with(problem, plan, &[])
+}
+
+/// The same with [witnesses](Witness). Where they show that every goal survives for an observer, nothing more has to be known
+/// of its beliefs; witnesses that do not hold show nothing.
+///
+/// # Errors
+///
+/// [`InvalidPlan`] when the plan does not solve the task.
+pub fn validate_with(
+    problem: &Problem,
+    plan: &Plan,
+    witnesses: &[Witness],
+) -> Result<Achievement, InvalidPlan> {
     let mut replay = Replay::new(problem, plan)?;
     if !replay.reaches_goal() {
         return Err(InvalidPlan::MissesGoal);
     }
+    replay.leave_out_all_alive(witnesses);
     while replay.step()?.is_some() {}
     let survivors = replay.survivors();
     let counts = problem.survivor_counts(&survivors);

@@ -37,6 +37,7 @@ use crate::problem::{JointSpace, Problem, SurvivorCounts};
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::solver::{Bounds, Options};
+use crate::trace::Witness;
 use bounds::Most;
 use bounds::pairs::Pairs;
 use estimates::Estimates;
@@ -54,6 +55,8 @@ pub(in crate::solver) struct Optimiser {
     /// No plan is worth more; none where there is no plan at all.
     bound: Option<i64>,
     best: Option<(SurvivorCounts, Plan)>,
+    /// Walks that show what survives on the best plan, where it was found with samples.
+    witnesses: Vec<Witness>,
     /// Whether the best plan is known to be a shortest one of its value.
     length_proved: bool,
     schedule: Schedule,
@@ -100,6 +103,7 @@ impl Optimiser {
             work: None,
             bound,
             best: None,
+            witnesses: Vec::new(),
             length_proved: false,
             schedule: Schedule::default(),
             asked: 0,
@@ -170,6 +174,7 @@ impl Optimiser {
         match &self.best {
             Some((_, plan)) => Finding {
                 length_proved: self.horizon.is_none().then_some(self.length_proved),
+                witnesses: self.witnesses.clone(),
                 ..Finding::plan(Status::Optimal, plan.clone())
             },
             None => Finding::infeasible(),
@@ -276,6 +281,7 @@ impl Optimiser {
             (Step::Found(counts, plan), stage) => {
                 self.length_proved = !matches!(stage, Stage::Find(_));
                 self.best = Some((counts, plan));
+                self.witnesses.clear();
                 match stage {
                     Stage::Find(_) if self.is_proved() => return Ok(self.shorten(work)),
                     Stage::Find(_) | Stage::Sample(_) => {}
@@ -332,6 +338,7 @@ impl Optimiser {
         self.expansions += 1;
         let over = match step {
             Step::Found(counts, plan) => {
+                self.witnesses = sampling::witnesses(space, &plan);
                 self.best = Some((counts, plan));
                 if self.is_proved() {
                     return Ok(self.shorten(work));
@@ -411,9 +418,13 @@ impl Engine for Optimiser {
         match plan {
             Some(plan) if self.is_proved() => Finding {
                 length_proved: self.horizon.is_none().then_some(self.length_proved),
+                witnesses: self.witnesses.clone(),
                 ..Finding::stopped_at_best(plan, limit)
             },
-            plan => Finding::stopped(plan, limit),
+            plan => {
+                let witnesses = self.witnesses.clone();
+                Finding { witnesses, ..Finding::stopped(plan, limit) }
+            }
         }
     }
 
@@ -423,6 +434,7 @@ impl Engine for Optimiser {
         if let Some((counts, plan)) = &self.best {
             progress.goal_difference = Some(self.problem.goal_difference(*counts));
             progress.plan = Some(plan.clone());
+            progress.witnesses.clone_from(&self.witnesses);
         }
     }
 

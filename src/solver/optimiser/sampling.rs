@@ -12,10 +12,13 @@ use super::estimates::Estimates;
 use super::space::Space;
 use crate::belief::Keep;
 use crate::limits::LimitReached;
+use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, Role};
+use crate::sensor::Symbol;
 use crate::solver::Bounds;
 use crate::solver::ground::goal_distances::{Combine, GoalDistances};
 use crate::task::{StateId, StateSpace};
+use crate::trace::Witness;
 
 /// How many states of a belief are kept.
 #[derive(Debug, Clone, Copy)]
@@ -84,4 +87,61 @@ pub(super) fn sampled(
     joint.initial();
     let estimates = Estimates::new(&mut joint, None, most)?;
     Ok(Some((Space::new(joint, bounds.clone()), estimates)))
+}
+
+/// For each goal that survives in an enemy's last sample on the way of a plan, a walk that shows it.
+pub(super) fn witnesses(space: &mut Space, plan: &Plan) -> Vec<Witness> {
+    let joint = &mut space.joint;
+    let problem = Arc::clone(joint.problem());
+    let root = joint.initial();
+    let mut state = root.state;
+    let mut edges = Vec::new();
+    for &action in &plan.actions {
+        joint.states_mut().expand(state);
+        let taken = |edge: &usize| joint.states().all_edges()[*edge].action == action;
+        let Some(edge) = joint.states().edge_range(state).find(taken) else { return Vec::new() };
+        edges.push(edge);
+        state = joint.states().all_edges()[edge].target;
+    }
+    let mut found = Vec::new();
+    let enemies = problem.observers().iter().enumerate();
+    for (enemy, _) in enemies.filter(|(_, observer)| observer.role == Role::Adversarial) {
+        let seen: Vec<Symbol> = edges.iter().map(|&edge| joint.symbol(enemy, edge)).collect();
+        let mut belief = joint.belief(root.profile, enemy);
+        let mut samples = vec![joint.beliefs(enemy).list(belief).to_vec()];
+        for &symbol in &seen {
+            let Ok(next) = joint.update(enemy, belief, symbol) else { return found };
+            belief = next;
+            samples.push(joint.beliefs(enemy).list(belief).to_vec());
+        }
+        for goal in 0..problem.goals().len() {
+            found.extend(walk_to(joint, enemy, goal, &seen, &samples));
+        }
+    }
+    found
+}
+
+/// A walk through the samples of an enemy, after each symbol, to a state of the last one in which a goal holds.
+fn walk_to(
+    joint: &mut JointSpace,
+    enemy: usize,
+    goal: usize,
+    seen: &[Symbol],
+    samples: &[Vec<StateId>],
+) -> Option<Witness> {
+    let ends = samples.last()?.iter().copied();
+    let mut at = ends.into_iter().find(|&end| joint.goals_of_state(end).contains(goal))?;
+    let mut actions = Vec::with_capacity(seen.len());
+    for (sample, &symbol) in samples.iter().zip(seen).rev() {
+        let (before, action) = sample.iter().find_map(|&state| {
+            let edge = joint.states().edge_range(state).find(|&edge| {
+                joint.states().all_edges()[edge].target == at && joint.symbol(enemy, edge) == symbol
+            })?;
+            Some((state, joint.states().all_edges()[edge].action))
+        })?;
+        actions.push(action);
+        at = before;
+    }
+    actions.reverse();
+    Some(Witness { observer: enemy, goal, start: joint.states().state(at), actions })
 }

@@ -10,6 +10,7 @@ use super::{Advance, Engine, Optimiser};
 use crate::problem::Role::{self, Adversarial, Cooperative};
 use crate::solver::outcome::Progress;
 use crate::solver::{Options, Solver, Status};
+use crate::trace::{validate, validate_with};
 
 use crate::solver::common::random::{self, MEDIUM, PAIR, Size};
 use crate::solver::common::{Dice, Judge, Wish, oracle};
@@ -32,6 +33,7 @@ struct Answer {
     /// Value and length of the plan.
     plan: Option<(i64, usize)>,
     length_proved: Option<bool>,
+    witnesses: usize,
 }
 
 fn solve(judge: &Judge, horizon: Option<usize>, wish: &Wish, schedule: Schedule) -> Answer {
@@ -52,13 +54,19 @@ fn solve_with(
     let most = judge.table.goals.len() as f64 - 1.0;
     for _ in 0..100_000 {
         if let Advance::Finished(finding) = engine.advance(1).unwrap() {
+            if let Some(plan) = &finding.plan {
+                // What witnesses show is what the beliefs show.
+                let with = validate_with(&judge.problem, plan, &finding.witnesses).unwrap();
+                assert_eq!(with.survivors, validate(&judge.problem, plan).unwrap().survivors);
+            }
+            let witnesses = finding.witnesses.len();
             let plan = finding.plan.map(|plan| {
                 let ending = judge.ending(&plan);
                 assert!(wish.allows(&judge.table, &ending));
                 (oracle::difference(&judge.table, &ending), plan.len())
             });
             let (status, length_proved) = (finding.status, finding.length_proved);
-            return Answer { status, plan, length_proved };
+            return Answer { status, plan, length_proved, witnesses };
         }
         let progress = report(&engine, options);
         if let (Policy::Sound, Some(best)) = (schedule.dominance, best) {
@@ -80,6 +88,7 @@ fn report(engine: &Optimiser, options: &Options) -> Progress {
         goal_difference: None,
         bound: None,
         plan: None,
+        witnesses: Vec::new(),
     };
     engine.report(&mut progress);
     progress
@@ -112,7 +121,11 @@ fn check(judge: &Judge, horizon: Option<usize>, wish: &Wish, schedule: Schedule)
     let plan = expected(judge, horizon, wish);
     let status = if plan.is_some() { Status::Optimal } else { Status::Infeasible };
     let length_proved = (horizon.is_none() && plan.is_some()).then_some(true);
-    assert_eq!(answer, Answer { status, plan, length_proved }, "{wish:?} {horizon:?}");
+    assert_eq!(
+        answer,
+        Answer { status, plan, length_proved, witnesses: 0 },
+        "{wish:?} {horizon:?}"
+    );
 }
 
 /// Which question comes first, or which two; the others never.
@@ -163,7 +176,7 @@ fn ten_goals_and_up_to_four_observers_equal_the_closure() {
 fn beliefs_that_are_not_listed_and_samples_of_them_give_the_same_values() {
     let sizes = [(1, 1), (2, 1), (40, 5)];
     let mut dice = Dice::new(86);
-    let mut longer = 0;
+    let (mut longer, mut witnessed) = (0, 0);
     for number in 0..4_000 {
         let roles = COMPANIES[number % COMPANIES.len()];
         let size = if number % 4 == 0 { LARGE } else { MEDIUM };
@@ -179,6 +192,7 @@ fn beliefs_that_are_not_listed_and_samples_of_them_give_the_same_values() {
         let mut options = Judge::options(Solver::Exact, horizon, &wish);
         options.limits = options.limits.with_listed(dice.pick(&[1, 2, 3]));
         let answer = solve_with(&judge, horizon, &wish, schedule, &options);
+        witnessed += usize::from(answer.witnesses > 0);
         let best = expected(&judge, horizon, &wish);
         assert_eq!(answer.plan.map(|plan| plan.0), best.map(|best| best.0), "{wish:?} {horizon:?}");
         let lengths = answer.plan.zip(best).map(|(plan, best)| plan.1.cmp(&best.1));
@@ -189,7 +203,7 @@ fn beliefs_that_are_not_listed_and_samples_of_them_give_the_same_values() {
         }
     }
     // The search with samples was at work.
-    assert!(longer > 10, "{longer}");
+    assert!(longer > 10 && witnessed > 100, "{longer} {witnessed}");
 }
 
 /// How many of the problems come out wrong with dominance where it is unsound.

@@ -20,6 +20,7 @@ use super::{Options, algorithm1};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::Problem;
+use crate::trace::Witness;
 
 /// The nodes that Algorithm 1 may take from its open list (whether it expands, defers or drops them)
 /// before the optimiser has its turn. Few searches that find a plan at all take more in a small state
@@ -75,15 +76,16 @@ impl Portfolio {
 /// at a time, so that the plan does not depend on slices.
 fn first_plan(engine: &mut dyn Engine, progress: &mut Progress) -> Result<Advance, LimitReached> {
     let advance = engine.advance(1)?;
-    if let Advance::Finished(Finding { plan: Some(plan), .. }) = advance {
-        return Ok(solved(plan));
+    if let Advance::Finished(Finding { plan: Some(plan), witnesses, .. }) = advance {
+        return Ok(solved(plan, witnesses));
     }
     engine.report(progress);
-    Ok(progress.plan.take().map_or(advance, solved))
+    let witnesses = std::mem::take(&mut progress.witnesses);
+    Ok(progress.plan.take().map_or(advance, |plan| solved(plan, witnesses)))
 }
 
-fn solved(plan: Plan) -> Advance {
-    Advance::Finished(Finding::plan(Status::Solved, plan))
+fn solved(plan: Plan, witnesses: Vec<Witness>) -> Advance {
+    Advance::Finished(Finding { witnesses, ..Finding::plan(Status::Solved, plan) })
 }
 
 impl Engine for Portfolio {
