@@ -11,6 +11,8 @@ export const pages = [
   ["embedding", "In your own page"],
   ["frames", "Frames"],
   ["pictures", "Pictures and print"],
+  ["exercises", "Exercises and marks"],
+  ["lesson", "A lesson of one hour"],
   ["release", "Releases"],
 ];
 
