@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use fixedbitset::FixedBitSet;
 use rustc_hash::FxHashMap;
 
 use super::BeliefId;
@@ -52,7 +53,7 @@ pub struct StateSets {
     most: usize,
     unlisted: Option<Box<Unlisted>>,
     /// Which sets are not listed.
-    large: fixedbitset::FixedBitSet,
+    large: FixedBitSet,
     found: Vec<Successor>,
 }
 
@@ -65,7 +66,7 @@ impl StateSets {
             lists: Subsets::default(),
             most: most.max(1),
             unlisted: None,
-            large: fixedbitset::FixedBitSet::new(),
+            large: FixedBitSet::new(),
             found: Vec::new(),
         }
     }
@@ -110,23 +111,15 @@ impl StateSets {
         if list.len() > self.most {
             let unlisted = unlisted(&mut self.unlisted, states, limits, relations);
             if let Ok(diagram) = unlisted.of_list(states, &list) {
-                return self.large(diagram);
+                return unlisted.number(diagram, &mut self.lists, &mut self.large);
             }
         }
         self.lists.intern(list)
     }
 
-    /// The number of a diagram with too many states for a list.
-    fn large(&mut self, diagram: SetId) -> BeliefId {
-        let Some(unlisted) = &mut self.unlisted else { return self.lists.reserve() };
-        if let Some(&known) = unlisted.numbers.get(&diagram) {
-            return known;
-        }
-        let set = self.lists.reserve();
-        unlisted.numbers.insert(diagram, set);
-        unlisted.of_sets.insert(set, diagram);
-        self.large.grow_and_insert(set.index());
-        set
+    /// The number of the set with one state, which is listed whatever the limit.
+    pub fn single(&mut self, state: StateId) -> BeliefId {
+        self.lists.intern(vec![state])
     }
 
     /// Expands the states of a list; nothing to do for a diagram.
@@ -228,7 +221,7 @@ impl StateSets {
             return Ok(known);
         }
         if unlisted.diagrams.has_more_than(next, self.most) {
-            return Ok(self.large(next));
+            return Ok(unlisted.number(next, &mut self.lists, &mut self.large));
         }
         let few = unlisted.diagrams.first_states(next, self.most);
         let number = self.lists.intern(few.iter().map(|state| states.intern(state)).collect());
@@ -303,6 +296,16 @@ impl Unlisted {
     fn of_list(&mut self, states: &StateSpace, list: &[StateId]) -> Result<SetId, LimitReached> {
         let list: Vec<State> = list.iter().map(|&state| states.state(state)).collect();
         self.diagrams.of_states(&list)
+    }
+
+    /// The number of a diagram with too many states for a list, given one when it is new.
+    fn number(&mut self, diagram: SetId, lists: &mut Subsets, large: &mut FixedBitSet) -> BeliefId {
+        *self.numbers.entry(diagram).or_insert_with(|| {
+            let set = lists.reserve();
+            self.of_sets.insert(set, diagram);
+            large.grow_and_insert(set.index());
+            set
+        })
     }
 
     fn bytes(&self) -> u64 {

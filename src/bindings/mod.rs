@@ -302,7 +302,7 @@ impl Exercise {
         to_js(&crate::report::ExerciseReport::new(&self.exercise, &self.variant))
     }
 
-    /// The question with a right answer, for who makes the exercise.
+    /// The question with a right answer, for the author of the exercise.
     pub fn solution(&self) -> Result<types::QuestionJs, JsValue> {
         let report = crate::report::ExerciseReport::new(&self.exercise, &self.variant);
         to_js(&report.with_solution(&self.variant))

@@ -46,7 +46,7 @@ impl Vary {
     }
 }
 
-/// What is kept from the person who answers.
+/// What the question keeps to itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Hidden {

@@ -16,6 +16,7 @@
 //! seed and answer, and nothing in it is trusted but those: grading checks the answer again.
 
 mod answer;
+mod belief_layers;
 mod block;
 pub mod code;
 mod edit;
@@ -25,7 +26,6 @@ pub mod schema;
 mod subject;
 mod variant;
 mod verdict;
-mod witness;
 
 use std::sync::Arc;
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::Unfit;
 use super::answer::{Answer, Form};
+use super::belief_layers::BeliefLayers;
 use super::verdict::{Finding, Verdict};
-use super::witness::Witness;
 use crate::domain::Document;
 use crate::limits::Limits;
 use crate::plan::{Plan, execute};
@@ -199,9 +199,9 @@ impl Subject {
                 goal != self.problem.true_goal() && walked.survivors[number][goal] != wanted
             });
             let Some(goal) = goal else { continue };
-            if let Ok(mut witness) = Witness::new(&self.problem, number, &walked.plan) {
+            if let Ok(mut layers) = BeliefLayers::new(&self.problem, number, &walked.plan) {
                 let name = &self.problem.goals()[goal].name;
-                findings.push(witness.finding(name, |words| self.in_goal(goal, words)));
+                findings.push(layers.finding(name, |words| self.in_goal(goal, words)));
             }
         }
         findings

@@ -7,12 +7,12 @@ use rand_pcg::Pcg32;
 use sha2::{Digest as _, Sha256};
 
 use super::answer::{Answer, Form};
+use super::belief_layers::MAX_STATES;
 use super::block::{Block, Vary};
 use super::edit::Draft;
 use super::kind::{Kind, Solved};
 use super::subject::Subject;
 use super::verdict::Verdict;
-use super::witness::MAX_STATES;
 use super::{Difficulty, ExerciseError, Unfit};
 use crate::document::DocumentError;
 use crate::domain::Document;

@@ -48,7 +48,7 @@ pub struct ExerciseReport {
     pub lock: bool,
     /// The document of the problem, without the exercise.
     pub document: Document,
-    /// A right answer, for who asks for it.
+    /// A right answer, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub solution: Option<SolutionReport>,
 }

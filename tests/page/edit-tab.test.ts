@@ -24,7 +24,7 @@ for (const [device, options] of [
       await openTab(page, "Edit");
       await enter(page, "Columns", "5");
       await page.getByText("To fit, G1 moved to column 4, row 0,").waitFor();
-      assert.equal(await page.locator('[data-board="actor"] [data-cell]').count(), 40);
+      await page.waitForFunction(() => document.querySelectorAll('[data-board="actor"] [data-cell]').length === 40);
       await enter(page, "Rows", "32");
       const tall = await assertLive(page);
       assert.deepEqual([tall.width, tall.height], [5, 32]);

@@ -270,21 +270,20 @@ test("it tells the page of steps and answers", () =>
     const told = () =>
       page.evaluate(() => (window as unknown as { told: [string, string, Record<string, unknown>][] }).told);
     const first = await told();
-    assert.deepEqual(
-      first.map(([name, id]) => [name, id]),
-      [
-        ["mo-copp-step", "one"],
-        ["mo-copp-outcome", "one"],
-      ],
-    );
-    assert.equal(first[1]?.[2].status, "optimal");
-    assert.equal(first[1]?.[2].goal_difference, 1);
+    // Where the solver takes its time the start is shown before the plan. No step is told twice.
+    const steps = first.slice(0, -1);
+    assert(steps.length === 1 || steps.length === 2, JSON.stringify(first));
+    assert.deepEqual(new Set(steps.map(([name, id]) => `${name} ${id}`)), new Set(["mo-copp-step one"]));
+    assert.equal(new Set(steps.map(([, , { step }]) => step)).size, steps.length);
+    const [last, id, outcome] = first.at(-1) ?? assert.fail();
+    assert.deepEqual([last, id, outcome.status], ["mo-copp-outcome", "one", "optimal"]);
+    assert.equal(outcome.goal_difference, 1);
     await page.getByRole("button", { name: "Back one step" }).click();
     await page.waitForSelector('#one[data-step="4"]');
     const [name, , detail] = (await told()).at(-1) ?? assert.fail();
     assert.equal(name, "mo-copp-step");
     assert.deepEqual([detail.step, detail.steps, detail.action], [4, 5, "east"]);
-    assert.equal((await told()).length, 3);
+    assert.equal((await told()).length, first.length + 1);
   }));
 
 test("its styles reach nothing of the page around it", () =>

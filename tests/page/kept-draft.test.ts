@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
+import { addressHolds } from "./support/links.js";
 import { openTab, press, statusIs, useDocument } from "./support/playground.js";
 import { address } from "./support/site.js";
 import { put, textIs } from "./support/text.js";
@@ -14,6 +15,8 @@ test("a text that was begun is there after a reload, until it is used or given u
     await statusIs(page, "optimal");
     await useDocument(page, grid());
     await page.waitForFunction(() => document.querySelectorAll('[data-board="actor"] [data-cell]').length === 12);
+    // What a reload opens is what the address holds, which is written a moment later.
+    await addressHolds(page, ({ document }) => document === grid());
     await put(page, begun);
     await page.reload();
     await statusIs(page, "optimal");

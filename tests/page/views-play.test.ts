@@ -48,7 +48,7 @@ test("guessing: nothing on the page shows what the enemy is not told", () =>
 test("a problem that is too large to be solved at once can be guessed at", () =>
   visit(async ({ page }) => {
     await statusIs(page, "optimal");
-    await drop(page, readFileSync(new URL("../../examples/logistics.json", import.meta.url), "utf8"));
+    await drop(page, readFileSync(new URL("support/logistics-19.json", import.meta.url), "utf8"));
     await board(page, "actor").locator(".thing-box.package").nth(5).waitFor();
     await press(page, "Cancel");
     await openTab(page, "Play");

@@ -61,9 +61,9 @@ impl Question for Belief {
 
     fn solve(&self, subject: &Subject, form: &Form) -> Result<Solved, Unfit> {
         let states = self.states(subject)?;
-        let witness = self.watching.witness(subject)?;
+        let layers = self.watching.layers(subject)?;
         let mut believed = Vec::new();
-        for words in witness.believed(witness.steps()) {
+        for words in layers.believed(layers.steps()) {
             let place = states.iter().position(|known| known == words);
             believed.push(place.ok_or_else(Unfit::too_large)? as u32);
         }
@@ -77,15 +77,15 @@ impl Question for Belief {
         if believed.len() == states.len() {
             remarks.push("every state is possible".to_owned());
         }
-        let difficulty = Difficulty { size: believed.len(), steps: witness.steps() };
+        let difficulty = Difficulty { size: believed.len(), steps: layers.steps() };
         let answer = form.answer(believed).ok_or_else(Unfit::too_large)?;
         Ok(Solved { answer, difficulty, remarks })
     }
 
     fn check(&self, subject: &Subject, answer: &Answer) -> Verdict {
-        let (states, witness) = (self.states(subject), self.watching.witness(subject));
-        let (states, mut witness) = match (states, witness) {
-            (Ok(states), Ok(witness)) => (states, witness),
+        let (states, layers) = (self.states(subject), self.watching.layers(subject));
+        let (states, mut layers) = match (states, layers) {
+            (Ok(states), Ok(layers)) => (states, layers),
             (Err(unfit), _) | (_, Err(unfit)) => {
                 return Verdict::wrong([Finding::plain(unfit.to_string())]);
             }
@@ -95,9 +95,9 @@ impl Question for Belief {
             for (place, state) in states.iter().enumerate() {
                 let holds = |words: &[u64]| words == &state[..];
                 let is_chosen = answer.choices().contains(&(place as u32));
-                if is_chosen == chosen && witness.possible(holds) != chosen {
+                if is_chosen == chosen && layers.possible(holds) != chosen {
                     let name = format!("{}", subject.problem.label(state));
-                    return Verdict::wrong([witness.finding(&name, holds)]);
+                    return Verdict::wrong([layers.finding(&name, holds)]);
                 }
             }
         }

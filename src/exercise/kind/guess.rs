@@ -29,7 +29,7 @@ impl Guess {
 impl Question for Guess {
     fn text(&self, subject: &Subject) -> String {
         let who = self.watching.who(&subject.problem);
-        let seen = self.watching.witness(subject).map(|witness| witness.symbols());
+        let seen = self.watching.layers(subject).map(|layers| layers.symbols());
         format!(
             "At the end of its walk the agent is in its goal. Of the walk {who} saw: {}. Which goal is it?",
             seen.unwrap_or_default().join(", ")
@@ -41,10 +41,10 @@ impl Question for Guess {
     }
 
     fn solve(&self, subject: &Subject, form: &Form) -> Result<Solved, Unfit> {
-        let mut witness = self.watching.witness(subject)?;
+        let mut layers = self.watching.layers(subject)?;
         let count = form.choices.len();
         let possible: Vec<usize> = (0..count)
-            .filter(|&goal| witness.possible(|words| subject.in_goal(goal, words)))
+            .filter(|&goal| layers.possible(|words| subject.in_goal(goal, words)))
             .collect();
         let true_goal = subject.problem.true_goal();
         if !subject.ends_in_goal(&self.watching.plan) {
@@ -56,14 +56,13 @@ impl Question for Guess {
             return Err(Unfit::new(text));
         }
         let others = (0..count).filter(|&goal| goal != true_goal);
-        let others: Vec<usize> = others
-            .filter(|&goal| witness.reachable(|words| subject.in_goal(goal, words)))
-            .collect();
+        let others: Vec<usize> =
+            others.filter(|&goal| layers.reachable(|words| subject.in_goal(goal, words))).collect();
         let mut remarks = Vec::new();
         if others.is_empty() {
             remarks.push("no other goal is in reach of so many steps".to_owned());
         }
-        let difficulty = Difficulty { size: others.len(), steps: witness.steps() };
+        let difficulty = Difficulty { size: others.len(), steps: layers.steps() };
         let answer = form.answer([true_goal as u32]).ok_or_else(Unfit::too_large)?;
         Ok(Solved { answer, difficulty, remarks })
     }
@@ -73,10 +72,10 @@ impl Question for Guess {
         if goal == subject.problem.true_goal() {
             return Verdict::right();
         }
-        match self.watching.witness(subject) {
-            Ok(mut witness) => {
+        match self.watching.layers(subject) {
+            Ok(mut layers) => {
                 let name = &subject.problem.goals()[goal].name;
-                Verdict::wrong([witness.finding(name, |words| subject.in_goal(goal, words))])
+                Verdict::wrong([layers.finding(name, |words| subject.in_goal(goal, words))])
             }
             Err(unfit) => Verdict::wrong([Finding::plain(unfit.to_string())]),
         }

@@ -96,8 +96,8 @@ impl Placement {
     /// Whether the goal is possible at the end of the walk.
     fn goal_is_possible(&self, subject: &Subject) -> Result<bool, Unfit> {
         let goal = subject.problem.goal_named(&self.goal).unwrap_or_default();
-        let witness = self.watching.witness(subject)?;
-        Ok(witness.possible(|words| subject.in_goal(goal, words)))
+        let layers = self.watching.layers(subject)?;
+        Ok(layers.possible(|words| subject.in_goal(goal, words)))
     }
 
     /// All cells, row by row.
@@ -172,16 +172,16 @@ impl Question for Placement {
             Ok(placed) => placed,
             Err(why) => return fails(&why),
         };
-        let mut witness = match self.watching.witness(&placed) {
-            Ok(witness) => witness,
+        let mut layers = match self.watching.layers(&placed) {
+            Ok(layers) => layers,
             Err(unfit) => return fails(&unfit.to_string()),
         };
         let goal = placed.problem.goal_named(&self.goal).unwrap_or_default();
         let holds = |words: &[u64]| placed.in_goal(goal, words);
-        if witness.possible(holds) == self.possible {
+        if layers.possible(holds) == self.possible {
             return Verdict::right();
         }
-        let finding = witness.finding(&self.goal, holds);
+        let finding = layers.finding(&self.goal, holds);
         let text = format!("With the {name} in [{column}, {row}] {}", finding.text);
         Verdict::wrong([Finding { text, ..finding }])
     }

@@ -35,10 +35,10 @@ impl Question for PossibleGoals {
     }
 
     fn solve(&self, subject: &Subject, form: &Form) -> Result<Solved, Unfit> {
-        let witness = self.watching.witness(subject)?;
+        let layers = self.watching.layers(subject)?;
         let count = form.choices.len();
         let possible: Vec<u32> = (0..count as u32)
-            .filter(|&goal| witness.possible(|words| subject.in_goal(goal as usize, words)))
+            .filter(|&goal| layers.possible(|words| subject.in_goal(goal as usize, words)))
             .collect();
         let mut remarks = Vec::new();
         if possible.is_empty() {
@@ -47,20 +47,20 @@ impl Question for PossibleGoals {
         if possible.len() == count {
             remarks.push("every goal is possible".to_owned());
         }
-        let difficulty = Difficulty { size: possible.len(), steps: witness.steps() };
+        let difficulty = Difficulty { size: possible.len(), steps: layers.steps() };
         let answer = form.answer(possible).ok_or_else(Unfit::too_large)?;
         Ok(Solved { answer, difficulty, remarks })
     }
 
     fn check(&self, subject: &Subject, answer: &Answer) -> Verdict {
-        let mut witness = match self.watching.witness(subject) {
-            Ok(witness) => witness,
+        let mut layers = match self.watching.layers(subject) {
+            Ok(layers) => layers,
             Err(unfit) => return Verdict::wrong([Finding::plain(unfit.to_string())]),
         };
         for (goal, name) in subject.goal_names().enumerate() {
             let holds = |words: &[u64]| subject.in_goal(goal, words);
-            if witness.possible(holds) != answer.choices().contains(&(goal as u32)) {
-                return Verdict::wrong([witness.finding(name, holds)]);
+            if layers.possible(holds) != answer.choices().contains(&(goal as u32)) {
+                return Verdict::wrong([layers.finding(name, holds)]);
             }
         }
         Verdict::right()

@@ -5,8 +5,8 @@ use serde::Serialize;
 use crate::document::DocumentError;
 use crate::document::reader::{Fields, Reader};
 use crate::exercise::Unfit;
+use crate::exercise::belief_layers::{BeliefLayers, called};
 use crate::exercise::subject::Subject;
-use crate::exercise::witness::{Witness, called};
 use crate::plan::Plan;
 use crate::problem::Problem;
 
@@ -58,10 +58,10 @@ impl Watching {
     }
 
     /// What the observer takes for possible along the walk.
-    pub(super) fn witness(&self, subject: &Subject) -> Result<Witness, Unfit> {
+    pub(super) fn layers(&self, subject: &Subject) -> Result<BeliefLayers, Unfit> {
         let plan = Plan::from_names(subject.problem.task(), &self.plan)
             .map_err(|error| Unfit::new(format!("the walk fails: {error}")))?;
-        Witness::new(&subject.problem, self.observer(&subject.problem), &plan)
+        BeliefLayers::new(&subject.problem, self.observer(&subject.problem), &plan)
     }
 
     /// The walk in words.

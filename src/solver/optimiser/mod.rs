@@ -404,7 +404,7 @@ impl Engine for Optimiser {
         let mut done = Ok(false);
         for _ in 0..budget {
             done = self.step(&mut work);
-            // Where beliefs are large a single step is long enough for somebody who wants to break it off.
+            // Where beliefs are large a single step is long enough between two looks at whether to stop.
             if !matches!(done, Ok(false)) || work.space.joint.has_unlisted() {
                 break;
             }

@@ -94,12 +94,7 @@ impl Space {
         let root = self.joint.initial();
         let actor = match actor {
             Actor::State => root.state.0,
-            Actor::Word => {
-                let limits = *self.joint.limits();
-                // One state is a list whatever the limit.
-                let states = self.joint.states();
-                self.words.intern(states, vec![root.state], &limits, || unreachable!()).0
-            }
+            Actor::Word => self.words.single(root.state).0,
         };
         self.guide.update(&self.joint);
         Node { actor, profile: root.profile }

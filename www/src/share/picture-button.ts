@@ -1,4 +1,4 @@
-// The button that opens the sheet in which pictures are saved. The sheet's code is loaded when somebody asks for it.
+// The button that opens the sheet in which pictures are saved. The sheet's code is loaded when the button is pressed.
 import { html, type TemplateResult } from "lit";
 import { frame } from "../view/icons.js";
 import type { PictureStores } from "./picture-sheet.js";

@@ -1,4 +1,4 @@
-//! Witnesses: walks that an observer takes for possible, and walks that it does not and the symbol that tells.
+//! Belief layers: an observer's beliefs along a plan, and the walks through them that show what is possible and what is not.
 //!
 //! The observer's beliefs along a plan, layer by layer, with a predecessor for each believed state: what is possible has
 //! a walk with the same symbols, found by going back. What is not possible is reached, if at all, by a walk that leaves
@@ -25,7 +25,7 @@ type Layer = IndexMap<StateId, Option<(StateId, Edge)>, BuildHasherDefault<FxHas
 
 /// The beliefs of an observer along a plan.
 #[derive(Debug)]
-pub(super) struct Witness {
+pub(super) struct BeliefLayers {
     problem: Arc<Problem>,
     observer: usize,
     space: StateSpace,
@@ -41,7 +41,7 @@ pub(super) fn called(role: Role) -> &'static str {
     }
 }
 
-impl Witness {
+impl BeliefLayers {
     /// Follows what the observer at this position sees of a plan.
     pub(super) fn new(problem: &Arc<Problem>, observer: usize, plan: &Plan) -> Result<Self, Unfit> {
         let task = problem.task();
@@ -58,15 +58,15 @@ impl Witness {
         let mut first = problem.observers()[observer].initial_belief.clone();
         first.sort_unstable();
         let layer: Layer = first.iter().map(|state| (space.intern(state), None)).collect();
-        let mut witness =
+        let mut layers =
             Self { problem: Arc::clone(problem), observer, space, seen, layers: vec![layer] };
-        for step in 0..witness.seen.len() {
-            let seen = witness.seen[step];
+        for step in 0..layers.seen.len() {
+            let seen = layers.seen[step];
             let next =
-                witness.next(&witness.layers[step].keys().copied().collect::<Vec<_>>(), Some(seen));
-            witness.layers.push(next.ok_or_else(Unfit::too_large)?);
+                layers.next(&layers.layers[step].keys().copied().collect::<Vec<_>>(), Some(seen));
+            layers.layers.push(next.ok_or_else(Unfit::too_large)?);
         }
-        Ok(witness)
+        Ok(layers)
     }
 
     /// The states one step on, with this symbol or with any; none where there are too many.
