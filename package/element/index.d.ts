@@ -14,6 +14,8 @@ export interface SharedState {
   mode: "plan" | "walk" | "guess";
   extra?: number;
   patience?: number;
+  /** The answer to an exercise. */
+  answer?: { choices: number[]; attempts: number; hints: number; checked?: { code: string; score: number } };
 }
 
 /** Without any: all boards of the step shown, with captions, in the playground's own colours. */

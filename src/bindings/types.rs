@@ -227,7 +227,7 @@ export interface Question {
   place?: "camera" | "wall" | "start";
   hints: string[];
   attempts?: number;
-  hide: ("solvers" | "best" | "beliefs")[];
+  hide: "beliefs"[];
   lock: boolean;
   /** The document of the problem, without the exercise. */
   document: object;

@@ -31,6 +31,8 @@ pub(super) struct BeliefLayers {
     space: StateSpace,
     seen: Vec<Symbol>,
     layers: Vec<Layer>,
+    /// Where walks of as many steps end, whatever their symbols; none until that is asked.
+    ends: Option<Vec<StateId>>,
 }
 
 /// A word for an observer of a role.
@@ -58,8 +60,14 @@ impl BeliefLayers {
         let mut first = problem.observers()[observer].initial_belief.clone();
         first.sort_unstable();
         let layer: Layer = first.iter().map(|state| (space.intern(state), None)).collect();
-        let mut layers =
-            Self { problem: Arc::clone(problem), observer, space, seen, layers: vec![layer] };
+        let mut layers = Self {
+            problem: Arc::clone(problem),
+            observer,
+            space,
+            seen,
+            layers: vec![layer],
+            ends: None,
+        };
         for step in 0..layers.seen.len() {
             let seen = layers.seen[step];
             let next =
@@ -165,7 +173,20 @@ impl BeliefLayers {
 
     /// Whether some walk of as many steps ends in such a state, whatever its symbols.
     pub(super) fn reachable(&mut self, holds: impl Fn(&[u64]) -> bool) -> bool {
-        self.possible(&holds) || self.other_symbols(&holds).is_some()
+        if self.ends.is_none() {
+            let mut ends: Vec<StateId> = self.layers[0].keys().copied().collect();
+            for _ in 0..self.steps() {
+                // Where there are too many states, those believed are all that is known of.
+                let Some(next) = self.next(&ends, None) else {
+                    ends = self.layers[self.steps()].keys().copied().collect();
+                    break;
+                };
+                ends = next.keys().copied().collect();
+            }
+            self.ends = Some(ends);
+        }
+        let ends = self.ends.iter().flatten();
+        ends.copied().any(|end| holds(self.space.words(end)))
     }
 
     /// Why something is possible, or why it is not. `what` names the property, as in `the agent in G1`.

@@ -46,27 +46,21 @@ impl Vary {
     }
 }
 
-/// What the question keeps to itself.
+/// What the question keeps to itself, beside the solvers and what they find, which no question shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Hidden {
-    /// The solvers, and what they found.
-    Solvers,
-    /// The best goal difference possible.
-    Best,
     /// What the observers believe and which goals are possible.
     Beliefs,
 }
 
 impl Hidden {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Solvers, Self::Best, Self::Beliefs];
+    pub const ALL: [Self; 1] = [Self::Beliefs];
 
     /// The name in documents.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Solvers => "solvers",
-            Self::Best => "best",
             Self::Beliefs => "beliefs",
         }
     }
@@ -98,7 +92,7 @@ impl Block {
     pub(super) fn hidden(&self) -> Vec<Hidden> {
         self.hide.clone().unwrap_or_else(|| match self.kind.watching() {
             Some(_) => Hidden::ALL.to_vec(),
-            None => vec![Hidden::Solvers, Hidden::Best],
+            None => Vec::new(),
         })
     }
 }

@@ -170,6 +170,17 @@ pub(super) fn write(digest: &Digest, seed: u64, answer: &Answer, tally: Tally) -
     text
 }
 
+/// A code as it is compared: without what stands between its signs, each sign as it is read.
+pub fn canonical(code: &str) -> String {
+    let signs = code.chars().filter(char::is_ascii_alphanumeric);
+    let read = signs.map(|sign| match sign.to_ascii_uppercase() {
+        'O' => '0',
+        'I' | 'L' => '1',
+        sign => sign,
+    });
+    read.collect()
+}
+
 /// Reads a code.
 pub(super) fn read(digest: &Digest, code: &str, seed: Option<u64>) -> Result<Read, CodeError> {
     let code: String =

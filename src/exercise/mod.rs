@@ -27,6 +27,7 @@ mod subject;
 mod variant;
 mod verdict;
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use thiserror::Error;
@@ -40,6 +41,7 @@ pub use verdict::{Counterexample, Finding, Verdict};
 use crate::document::DocumentError;
 use crate::domain::{Document, EXERCISE};
 use block::Block;
+use kind::Kind;
 use subject::Subject;
 
 /// Why there is no exercise, or no variant of it.
@@ -127,6 +129,11 @@ impl Exercise {
         let block = Block::read(text)?.ok_or_else(missing)?;
         block.kind.refer(&problem)?;
         variant::check_vary(&block, &document)?;
+        let open = matches!(block.kind, Kind::Guess(_)) || block.vary.contains(&Vary::TrueGoal);
+        if open && matches!(&document, Document::Pddl(pddl) if pddl.tells_goal()) {
+            let expected = "no :goal, where the true goal is to be guessed or varies";
+            return Err(DocumentError::invalid("problem", "the :goal of the true goal", expected));
+        }
         let digest = code::Digest::new(&document, &block);
         let unfit = |reason: String| {
             DocumentError::invalid("exercise", reason, "a question with an answer")
@@ -234,9 +241,27 @@ impl Exercise {
     ///
     /// [`CodeError`] where the code is none, was edited, or is of another exercise or seed.
     pub fn grade(&self, code: &str, seed: Option<u64>) -> Result<Graded, CodeError> {
+        self.grade_with(code, seed, &mut BTreeMap::new())
+    }
+
+    /// The same, where variants that were drawn for other codes need not be drawn again.
+    ///
+    /// # Errors
+    ///
+    /// As [`grade`](Self::grade).
+    pub fn grade_with(
+        &self,
+        code: &str,
+        seed: Option<u64>,
+        drawn: &mut BTreeMap<u64, Variant>,
+    ) -> Result<Graded, CodeError> {
         let read = code::read(&self.digest, code, seed)?;
-        let variant =
-            self.variant(read.seed).map_err(|_| CodeError::NoVariant { seed: read.seed })?;
+        let none = |_| CodeError::NoVariant { seed: read.seed };
+        let variant = match drawn.get(&read.seed) {
+            Some(known) => known.clone(),
+            None => self.variant(read.seed).map_err(none)?,
+        };
+        drawn.entry(read.seed).or_insert_with(|| variant.clone());
         let answer = variant.form().answer(read.choices).ok_or(CodeError::Answer)?;
         let verdict = variant.check(&answer);
         Ok(Graded { variant, answer, verdict, tally: read.tally })

@@ -52,8 +52,8 @@ fn errors_name_the_place_what_was_found_and_what_was_expected() {
         "exercise.attempts: found 0, expected a whole number from 1 to 99"
     );
     assert_eq!(
-        refused(GOALS, "hide", json!(["beliefs", "walls"])),
-        r#"exercise.hide[1]: found "walls", expected one of solvers, best, beliefs"#
+        refused(GOALS, "hide", json!(["walls"])),
+        r#"exercise.hide[0]: found "walls", expected one of beliefs"#
     );
     assert_eq!(
         refused(GOALS, "vary", json!(["plan", "plan"])),
@@ -117,8 +117,9 @@ fn the_problem_of_a_document_does_not_depend_on_its_exercise() {
 fn what_is_hidden_follows_from_the_kind_unless_it_is_said() {
     let hidden = |text: &str| Exercise::parse(text).unwrap().hidden();
     assert_eq!(hidden(&text(GOALS)), Hidden::ALL);
-    assert_eq!(hidden(&text("12-best")), [Hidden::Solvers, Hidden::Best]);
-    assert_eq!(hidden(&changed(GOALS, "hide", json!(["best"]))), [Hidden::Best]);
+    assert_eq!(hidden(&text("12-best")), []);
+    assert_eq!(hidden(&changed(GOALS, "hide", json!([]))), []);
+    assert_eq!(hidden(&changed("12-best", "hide", json!(["beliefs"]))), [Hidden::Beliefs]);
 }
 
 #[test]
@@ -128,5 +129,30 @@ fn a_problem_that_is_too_large_is_refused() {
     assert_eq!(
         Exercise::parse(&document.to_string()).unwrap_err().to_string(),
         "exercise: found the problem is too large for an exercise, expected a question with an answer"
+    );
+}
+
+#[test]
+fn where_the_true_goal_is_to_be_guessed_the_pddl_does_not_tell_it() {
+    let mut document: Value =
+        serde_json::from_str(include_str!("../../examples/blocksworld.json")).unwrap();
+    let last = document["exercise"].is_null();
+    assert!(last);
+    document["exercise"] = json!({"kind": "guess", "plan": [], "observer": "adversarial"});
+    let problem = document["problem"].clone();
+    let lines: Vec<&str> =
+        problem.as_array().unwrap().iter().map(|l| l.as_str().unwrap()).collect();
+    let joined = lines.join("\n");
+    let goal = document["goals"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|goal| goal["name"] == document["true_goal"]);
+    let condition = goal.unwrap()["condition"].as_str().unwrap().to_owned();
+    let end = joined.rfind(')').unwrap();
+    document["problem"] = json!(format!("{}(:goal {condition}))", &joined[..end]));
+    assert_eq!(
+        Exercise::parse(&document.to_string()).unwrap_err().to_string(),
+        "problem: found the :goal of the true goal, expected no :goal, where the true goal is to be guessed or varies"
     );
 }

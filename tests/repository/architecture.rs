@@ -107,7 +107,7 @@ const FOLDERS: Table = &[
     ("gesture", &["problem", "state", "view"]),
     ("play", &["core", "state", "view"]),
     ("edit", &["gesture", "problem", "state", "view"]),
-    ("exercise", &["core", "state", "view"]),
+    ("exercise", &["core", "problem", "state", "view"]),
     ("help", &["gesture", "view"]),
     ("gallery", &["help", "problem", "state", "view"]),
     ("solve", &["core", "gallery", "help", "state", "view"]),

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use mo_copp::exercise::{CodeError, Exercise, Graded, seed_of};
+use mo_copp::exercise::code::canonical;
+use mo_copp::exercise::{CodeError, Exercise, Graded, Variant, seed_of};
 
 use super::args::GradeArgs;
 use crate::cli::error::CliError;
@@ -37,15 +38,16 @@ pub fn run(args: &GradeArgs) -> Result<u8, CliError> {
     writer.write_record(head.iter().chain(ADDED)).map_err(failed)?;
     // The line at which each code stood first.
     let mut first: BTreeMap<String, u64> = BTreeMap::new();
+    let mut drawn = BTreeMap::new();
     for record in reader.records() {
         let record = record.map_err(broken)?;
         let line = record.position().map_or(0, csv::Position::line);
         let code = record.get(columns.code).unwrap_or_default();
         let seed = expected_seed(&columns, &record).map_err(|reason| place(line, reason))?;
-        let mut added = row(&exercise, code, seed);
-        let same: String = code.chars().filter(char::is_ascii_alphanumeric).collect();
+        let mut added = row(&exercise, code, seed, &mut drawn);
+        let same = canonical(code);
         if !same.is_empty() {
-            let earlier = *first.entry(same.to_ascii_uppercase()).or_insert(line);
+            let earlier = *first.entry(same).or_insert(line);
             if earlier != line {
                 let and = if added[1].is_empty() { "" } else { "; " };
                 added[1] = format!("{}{and}the same code as in line {earlier}", added[1]);
@@ -84,12 +86,17 @@ fn expected_seed(columns: &Columns, record: &csv::StringRecord) -> Result<Option
 }
 
 /// What is added to the row of a code.
-fn row(exercise: &Exercise, code: &str, seed: Option<u64>) -> [String; ADDED.len()] {
+fn row(
+    exercise: &Exercise,
+    code: &str,
+    seed: Option<u64>,
+    drawn: &mut BTreeMap<u64, Variant>,
+) -> [String; ADDED.len()] {
     let empty = String::new;
     if code.trim().is_empty() {
         return ["0".to_owned(), "no answer".to_owned(), empty(), empty(), empty(), empty()];
     }
-    match exercise.grade(code, seed) {
+    match exercise.grade_with(code, seed, drawn) {
         Err(error) => {
             let found = match &error {
                 CodeError::OtherSeed { found, .. } => found.to_string(),

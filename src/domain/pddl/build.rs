@@ -74,6 +74,12 @@ impl Pddl {
             .map_err(|error| unexpected(&error))
     }
 
+    /// Whether the text of the problem itself says what the true goal is.
+    pub(crate) fn tells_goal(&self) -> bool {
+        let Ok(domain) = read_domain(self.domain.as_str()) else { return false };
+        read_open_task(&domain, self.problem.as_str()).is_ok_and(|(_, has_goal)| has_goal)
+    }
+
     /// Reads the PDDL. The goal of the task is the true goal.
     pub(super) fn texts(&self, true_goal: usize) -> Result<Texts, DocumentError> {
         let domain = read_domain(self.domain.as_str()).map_err(|e| at("domain", e))?;

@@ -1,9 +1,12 @@
 // WebKit, the engine of Safari, as WebKitGTK's MiniBrowser, driven by Selenium over WebDriver.
 import { type ChildProcess, spawn } from "node:child_process";
 import { createServer } from "node:net";
-import { Builder, Capabilities, Key as Keys, Origin, type WebDriver, type WebElement } from "selenium-webdriver";
+import { Builder, Capabilities, error, Key as Keys, Origin, type WebDriver, type WebElement } from "selenium-webdriver";
 import { findWebKit } from "../../../scripts/setup/webkit.mjs";
 import { type Driver, inPage, type Key, missing, SIZE } from "./driver.js";
+
+/** How long an element may take until it stands still. */
+const STEADY_MS = 5_000;
 
 const keys: Record<Key, string> = {
   ArrowLeft: Keys.ARROW_LEFT,
@@ -86,6 +89,19 @@ function actions(driver: WebDriver): Omit<Driver, "close"> {
     if (found === null) throw missing(find);
     return found;
   };
+  // A picture that is drawn anew meanwhile takes its element away, or moves it: it is looked for again, for a while.
+  const steady = async (act: () => Promise<void>) => {
+    for (const begun = performance.now(); ; ) {
+      try {
+        return await act();
+      } catch (failed) {
+        const moved =
+          failed instanceof error.StaleElementReferenceError || failed instanceof error.ElementNotInteractableError;
+        if (!moved || performance.now() - begun > STEADY_MS) throw failed;
+        await new Promise((done) => setTimeout(done, 50));
+      }
+    }
+  };
   return {
     open: (address) => driver.get(address),
     evaluate: async <T>(expression: string) => {
@@ -98,13 +114,14 @@ function actions(driver: WebDriver): Omit<Driver, "close"> {
       if (answer.error !== undefined) throw new Error(answer.error);
       return answer.value as T;
     },
-    click: async (find) => (await element(find)).click(),
-    type: async (find, text) => {
-      const field = await element(find);
-      await field.clear();
-      await field.sendKeys(text);
-    },
-    press: async (find, key) => (await element(find)).sendKeys(keys[key]),
+    click: (find) => steady(async () => (await element(find)).click()),
+    type: (find, text) =>
+      steady(async () => {
+        const field = await element(find);
+        await field.clear();
+        await field.sendKeys(text);
+      }),
+    press: (find, key) => steady(async () => (await element(find)).sendKeys(keys[key])),
     drag: async (from, to) => {
       const hand = driver.actions({ async: true });
       await hand

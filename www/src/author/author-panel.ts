@@ -24,8 +24,6 @@ const kindWords: Record<DraftFields["kind"], string> = {
 };
 
 const hideWords: Record<string, string> = {
-  solvers: "the solvers",
-  best: "the best goal difference",
   beliefs: "beliefs and possible goals",
 };
 

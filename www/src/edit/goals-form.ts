@@ -1,6 +1,7 @@
 // The candidate goals of a grid: their names, which is true, and how many there are.
 import { html, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
+import { cellText } from "../problem/cells.js";
 import { addGoal, chooseTrueGoal, removeGoal, renameGoal } from "../problem/grid-goals.js";
 import type { FloorDocument } from "../problem/types.js";
 import { inTurns } from "../view/in-turns.js";
@@ -35,7 +36,7 @@ export function goalsForm(playground: FieldStores, document: FloorDocument): Tem
             value: name,
             save: (text) => renameGoal(document, index, text),
           })}
-          <span class="where">column ${column}, row ${row}</span>
+          <span class="where">${cellText([column, row])}</span>
           <button type="button" class="sign" aria-label=${`Remove ${name}`} title="Remove" @click=${(event: Event) => {
             focusBefore(event);
             attempt(playground, "goals", removeGoal(document, index));

@@ -12,6 +12,8 @@ export class Notifier {
   constructor(
     private readonly playground: Playground,
     private readonly element: HTMLElement,
+    /** Told of the code that a form is to send; null where the question has none yet. */
+    private readonly keepCode: (code: string | null) => void,
   ) {}
 
   /** Tells what has changed since the last time. */
@@ -36,6 +38,7 @@ export class Notifier {
     if (outcome !== null && outcome !== this.result) this.send("mo-copp-outcome", outcome.outcome);
     this.result = outcome;
     const code = this.playground.exercise.code.value;
+    if (code !== this.code) this.keepCode(code);
     if (code !== null && code !== this.code) this.send("mo-copp-answer", { code, score: scoreOf(this.playground) });
     this.code = code;
     const score = scoreOf(this.playground);

@@ -13,6 +13,9 @@ import { whenNear, whenParsed } from "./when.js";
 
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
+/** The beginning of the playground that came before. */
+let before: Promise<void> = Promise.resolve();
+
 export abstract class PlaygroundElement extends Base {
   /** A form sends the code of the last answer to an exercise. */
   static readonly formAssociated = true;
@@ -31,13 +34,12 @@ export abstract class PlaygroundElement extends Base {
   private loading: Promise<void> | null = null;
   private stopWaiting: (() => void) | null = null;
 
+  /** What a form is told by. */
+  private readonly internals: ElementInternals | undefined;
+
   constructor() {
     super();
-    const internals = this.attachInternals?.();
-    this.addEventListener?.("mo-copp-answer", (event) => {
-      // Not those of an element inside of this one.
-      if (event.target === this) internals?.setFormValue((event as CustomEvent<{ code: string }>).detail.code);
-    });
+    this.internals = this.attachInternals?.();
     this.ready = new Promise((resolve) => {
       this.settleReady = () => resolve(this);
     });
@@ -132,7 +134,10 @@ export abstract class PlaygroundElement extends Base {
   protected show(): Promise<void> {
     this.stopWaiting?.();
     this.stopWaiting = null;
-    this.loading ??= this.begin().catch((error: unknown) => {
+    if (this.loading !== null) return this.loading;
+    const begun = this.begin(before);
+    before = begun.catch(() => undefined);
+    this.loading = begun.catch((error: unknown) => {
       this.loading = null;
       this.failed(() => void this.show());
       console.error(error);
@@ -140,11 +145,13 @@ export abstract class PlaygroundElement extends Base {
     return this.loading;
   }
 
-  private async begin(): Promise<void> {
+  /** `before`: the first of a page goes first, whichever is loaded first: the page's address and keys are its own. */
+  private async begin(before: Promise<void>): Promise<void> {
     // The first picture is a turn of its own, not the end of the one that reads the page's code.
     await Promise.all([whenParsed(), nextTurn()]);
-    const Loaded = await this.load();
-    this.view = new Loaded(this, this.makeRoot(), () => this.shown(), this.wanted);
+    const [Loaded] = await Promise.all([this.load(), before]);
+    const keepCode = (code: string | null) => this.internals?.setFormValue(code);
+    this.view = new Loaded(this, this.makeRoot(), { shown: () => this.shown(), keepCode }, this.wanted);
     if (this.isConnected) this.view.connect();
   }
 }

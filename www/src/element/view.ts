@@ -64,6 +64,14 @@ export interface Wanted {
   state: string | null;
 }
 
+/** What the element is told. */
+interface Told {
+  /** There is a picture of a problem, or word of why there is none. */
+  shown: () => void;
+  /** The code of an answer that a form is to send; null where there is none. */
+  keepCode: (code: string | null) => void;
+}
+
 export class View {
   readonly playground = new Playground();
   private readonly address: Address;
@@ -94,8 +102,7 @@ export class View {
   constructor(
     private readonly host: HTMLElement,
     private readonly root: HTMLElement,
-    /** Told of the first picture of a problem. */
-    private readonly shown: () => void,
+    private readonly told: Told,
     private readonly first: Wanted,
   ) {
     this.address = new Address(this.playground);
@@ -108,7 +115,7 @@ export class View {
       () => this.content(),
       () => this.drawn(),
     );
-    this.notifier = new Notifier(this.playground, host);
+    this.notifier = new Notifier(this.playground, host, told.keepCode);
     this.tour = new Tour(root);
     this.onStage = { toured: { ...this.playground, tour: this.tour }, alone: { ...this.playground, tour: null } };
     this.seen = keepInSight(root);
@@ -348,7 +355,7 @@ export class View {
     else dataset.gd = String(difference.value);
     if (!asked) delete dataset.exercise;
     else dataset.exercise = score.value === null ? "open" : score.value === 1 ? "right" : "wrong";
-    if (asked || timeline.trace.value !== null || status.value === "error") this.shown();
+    if (asked || timeline.trace.value !== null || status.value === "error") this.told.shown();
     if (timeline.trace.value !== null) this.printing.prepare();
     this.follow();
     void this.playground.walk.follow();

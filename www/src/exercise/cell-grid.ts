@@ -1,6 +1,7 @@
 // A grid of cells to choose from, walked through by the arrow keys.
 import { html, type TemplateResult } from "lit";
 import type { Question, State } from "../core.js";
+import { cellText } from "../problem/cells.js";
 import type { Exercise } from "../state/exercise.js";
 import { floorOf } from "./floor.js";
 
@@ -47,7 +48,7 @@ function cellButton(
   const isWall = marks.some(({ word }) => word === "wall");
   if (index === undefined)
     return html`<span class=${isWall ? "cell wall" : "cell"} aria-hidden="true">${isWall ? "" : sign}</span>`;
-  const name = [`column ${cell[0] + 1}, row ${cell[1] + 1}`, ...marks.map(({ word }) => word)].join(", ");
+  const name = [cellText(cell), ...marks.map(({ word }) => word)].join(", ");
   return html`<button type="button" class=${isWall ? "cell wall" : "cell"} data-choice=${String(cell)} aria-label=${name}
     aria-pressed=${String(exercise.choices.value.includes(index))} tabindex=${exercise.cursor.value === index ? 0 : -1}
     @focus=${() => {

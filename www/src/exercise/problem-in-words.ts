@@ -1,6 +1,7 @@
 // The problem of a question in words: what the picture shows, and what the observers see of each action.
 import { html, type TemplateResult } from "lit";
 import type { Question } from "../core.js";
+import { cellText } from "../problem/cells.js";
 import { called } from "../view/observers.js";
 
 interface Grid {
@@ -26,13 +27,12 @@ export function problemInWords({ document, kind }: Question): TemplateResult {
   }</details>`;
 }
 
-const cellText = ([column = 0, row = 0]: number[]): string => `column ${column + 1}, row ${row + 1}`;
 const cells = (list: readonly number[][]): string => list.map(cellText).join("; ");
 
 function gridInWords(grid: Grid, kind: string): TemplateResult {
   const { width, height, walls = [], start, goals, true_goal, observers } = grid;
   return html`<ul>
-    <li>${width} columns from the left, ${height} rows from the top.</li>
+    <li>${width} columns from the left, ${height} rows from the top, both counted from 0.</li>
     ${walls.length === 0 ? "" : html`<li>Walls: ${cells(walls)}.</li>`}
     <li>Start: ${cellText(start as number[])}.</li>
     <li>Goals: ${goals.map(({ name, cell }) => `${name} at ${cellText(cell)}`).join("; ")}.</li>

@@ -1,5 +1,6 @@
 // A state in a line of text.
 import type { State } from "../core.js";
+import { cellText } from "../problem/cells.js";
 import { actionText } from "../view/action.js";
 
 export function stateText(state: State): string {
@@ -12,5 +13,4 @@ export function stateText(state: State): string {
   return typeof first === "number" ? placeText(state) : state.map((fact) => actionText(String(fact))).join(", ");
 }
 
-const placeText = (value: unknown): string =>
-  Array.isArray(value) ? `column ${Number(value[0]) + 1}, row ${Number(value[1]) + 1}` : String(value);
+const placeText = (value: unknown): string => (Array.isArray(value) ? cellText(value as number[]) : String(value));

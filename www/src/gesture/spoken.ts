@@ -1,16 +1,14 @@
 // What is in a cell, for those who do not see the boards.
-import { hasCell, sameCell } from "../problem/cells.js";
+import { cellText, hasCell, sameCell } from "../problem/cells.js";
 import type { Drag } from "../problem/drag.js";
 import { beliefOf, camerasOf, isWall } from "../problem/grid-cells.js";
 import { things } from "../problem/pose-cells.js";
 import type { Cell, FloorDocument } from "../problem/types.js";
 import type { BoardName } from "../view/observers.js";
 
-const place = ([column, row]: Cell): string => `column ${column}, row ${row}`;
-
 /** "column 3, row 2: wall" */
 export const cellInWords = (document: FloorDocument, board: BoardName, cell: Cell): string =>
-  `${place(cell)}: ${contents(document, board, cell).join(", ")}`;
+  `${cellText(cell)}: ${contents(document, board, cell).join(", ")}`;
 
 function contents(document: FloorDocument, board: BoardName, cell: Cell): string[] {
   if (isWall(document, cell)) return ["wall"];
@@ -34,7 +32,9 @@ function contents(document: FloorDocument, board: BoardName, cell: Cell): string
 /** How a piece that is carried is doing. */
 export function carriedInWords(drag: Drag, document: FloorDocument, board: BoardName): string {
   if (drag.kind === "stroke") return cellInWords(document, board, drag.at);
-  return drag.taken ? `${pieceName(drag)} at ${place(drag.at)}` : `${pieceName(drag)} can’t stand at ${place(drag.at)}`;
+  return drag.taken
+    ? `${pieceName(drag)} at ${cellText(drag.at)}`
+    : `${pieceName(drag)} can’t stand at ${cellText(drag.at)}`;
 }
 
 export function pieceName(drag: Drag): string {

@@ -9,6 +9,9 @@ export interface Size {
 /** How a cell is written in attributes, and compared. */
 export const keyOf = ([column, row]: readonly [number, number]): string => `${column},${row}`;
 
+/** A cell in words, counted as documents count: from 0, from the top left. */
+export const cellText = ([column = 0, row = 0]: readonly number[]): string => `column ${column}, row ${row}`;
+
 export const sameCell = (one: Cell, other: Cell): boolean => one[0] === other[0] && one[1] === other[1];
 
 export const hasCell = (cells: readonly Cell[], cell: Cell): boolean => cells.some((other) => sameCell(other, cell));

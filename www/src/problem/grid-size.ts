@@ -1,5 +1,5 @@
 // Making a grid larger or smaller.
-import { distance, everyCell, hasCell, inside, keyOf, sameCell } from "./cells.js";
+import { cellText, distance, everyCell, hasCell, inside, keyOf, sameCell } from "./cells.js";
 import { beliefOf, camerasOf, freeCells, wallsOf, withBelief, withCameras } from "./grid-cells.js";
 import type { Cell, GridworldDocument, Role } from "./types.js";
 
@@ -48,18 +48,16 @@ export function resized(document: GridworldDocument, width: number, height: numb
   }
 
   const met = crowded ? goals.find(({ cell }) => sameCell(cell, start)) : undefined;
-  const where = `${place(start)}${met === undefined ? "" : `, where ${met.name} is`}`;
+  const where = `${cellText(start)}${met === undefined ? "" : `, where ${met.name} is`}`;
   if (!sameCell(start, document.start)) changes.push(`the start moved to ${where}`);
   else if (met !== undefined) changes.push(`${met.name} is where the start is`);
   for (const [index, { name, cell }] of goals.entries()) {
-    if (!sameCell(cell, document.goals[index]?.cell ?? cell)) changes.push(`${name} moved to ${place(cell)}`);
+    if (!sameCell(cell, document.goals[index]?.cell ?? cell)) changes.push(`${name} moved to ${cellText(cell)}`);
   }
   const lost = wallsOf(document).length - kept.length;
   if (lost > 0) changes.push(lost === 1 ? "one wall vanished" : `${lost} walls vanished`);
   return { document: result, changes };
 }
-
-const place = ([column, row]: Cell): string => `column ${column}, row ${row}`;
 
 /** Where each cell of `taken` comes to lie among those that are free: no two in one. What shares a cell goes on to. */
 function newPlaces(taken: readonly Cell[], free: readonly Cell[]): Map<string, Cell> | string {

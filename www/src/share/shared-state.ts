@@ -52,6 +52,8 @@ export interface SharedState {
 const LONGEST_PLAN = 10_000;
 const LONGEST_TITLE = 120;
 const LONGEST_ANSWER = 1000;
+/** A code has up to two and a half signs for each choice, and some for what it is of. */
+const LONGEST_CODE = 8 * LONGEST_ANSWER;
 
 export function stateOf(playground: SharedStores): SharedState | null {
   const posed = playground.exercise.posed.value;
@@ -141,9 +143,15 @@ const isCount = (value: unknown): value is number => typeof value === "number" &
 
 function isAnswer(value: unknown): value is KeptAnswer {
   if (typeof value !== "object" || value === null) return false;
-  const { choices, attempts, hints } = value as Record<string, unknown>;
+  const { choices, attempts, hints, checked } = value as Record<string, unknown>;
   const fit = Array.isArray(choices) && choices.length <= LONGEST_ANSWER && choices.every(isCount);
-  return fit && isCount(attempts) && isCount(hints);
+  return fit && isCount(attempts) && isCount(hints) && (checked === undefined || isChecked(checked));
+}
+
+function isChecked(value: unknown): boolean {
+  if (typeof value !== "object" || value === null) return false;
+  const { code, score } = value as Record<string, unknown>;
+  return typeof code === "string" && code.length <= LONGEST_CODE && (score === 0 || score === 1);
 }
 
 const isOneOf = (numbers: readonly number[], value: unknown): value is number => numbers.some((one) => one === value);

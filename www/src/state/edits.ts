@@ -13,7 +13,7 @@ interface Stores {
   problem: OpenProblem;
   answer: Pick<Answer, "ran">;
   editing: Pick<Editing, "drag">;
-  exercise: Pick<Exercise, "close" | "open" | "textOf">;
+  exercise: Pick<Exercise, "close" | "open" | "stopOpening" | "textOf">;
   form: Signal<Form>;
   solving: Pick<Solving, "clear" | "follow" | "open" | "refuse">;
 }
@@ -42,7 +42,8 @@ export class Edits {
       if (refused !== null) solving.refuse(refused);
       return refused === null;
     }
-    exercise.close();
+    // A question on its way would come over it; the one that is open stays until there is something else.
+    exercise.stopOpening();
     // What is being dragged belongs to the problem that was open.
     editing.drag.value = null;
     const document = { text, value: documentIn(text) };
@@ -61,7 +62,10 @@ export class Edits {
     }
     problem.opening.value = text;
     await solving.open(document, options, exact, at);
-    if (problem.document.value === document) problem.origin.value = document;
+    if (problem.document.value === document) {
+      problem.origin.value = document;
+      exercise.close();
+    }
     if (problem.opening.value === text) problem.opening.value = null;
     if (problem.document.value !== document) {
       // Another document may have been asked for meanwhile, with a form of its own.

@@ -3,7 +3,7 @@ import { signal } from "@preact/signals-core";
 import { Copier } from "../view/copier.js";
 
 export const kinds = ["possible-goals", "belief", "walk", "best", "placement", "guess"] as const;
-export const hideable = ["solvers", "best", "beliefs"] as const;
+export const hideable = ["beliefs"] as const;
 export const variable = ["start", "goals", "walls", "true_goal", "plan"] as const;
 type Kind = (typeof kinds)[number];
 

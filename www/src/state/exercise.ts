@@ -11,12 +11,15 @@ export interface KeptAnswer {
   choices: number[];
   attempts: number;
   hints: number;
+  /** Of the answer that was checked last. */
+  checked?: { code: string; score: number };
 }
 
 /** A document with an exercise, asked with a seed. */
 interface Posed {
   text: string;
   question: Question;
+  seed: Seed;
 }
 
 export class Exercise {
@@ -49,12 +52,15 @@ export class Exercise {
   /** What the page asks for by attributes. */
   seed: Seed = 0;
   block: string | null = null;
+  /** Questions and verdicts. */
   private readonly runner = new TaskRunner("now");
+  /** Pictures of walks, which come and go beside them. */
+  private readonly drawer = new TaskRunner("now");
 
   constructor() {
     this.canTry = computed(() => {
       const question = this.posed.value?.question;
-      if (question === undefined || this.checking.value) return false;
+      if (question === undefined || this.checking.value || this.opening.value) return false;
       const enough = question.form.arity !== "one" || this.choices.value.length === 1;
       const left = question.attempts === undefined || this.attempts.value < question.attempts;
       return enough && left && this.verdict.value === null;
@@ -70,19 +76,20 @@ export class Exercise {
       return null;
     }
     if (typeof value !== "object" || value === null) return null;
-    if (this.block !== null) return withBlock(value, this.block);
-    return "exercise" in value ? text : null;
+    if ("exercise" in value) return text;
+    return this.block === null ? null : withBlock(value, this.block);
   }
 
   /** Asks the question of a document. Null where that was possible, else why not. */
   async open(text: string): Promise<string | null> {
     this.opening.value = true;
-    const ending = await this.runner.run({ kind: "exercise", document: text, seed: this.seed });
+    const { seed } = this;
+    const ending = await this.runner.run({ kind: "exercise", document: text, seed });
     if (ending.kind === "stale") return null;
     this.opening.value = false;
     if (ending.kind !== "asked") return messageOf(ending);
     batch(() => {
-      this.posed.value = { text, question: ending.question };
+      this.posed.value = { text, question: ending.question, seed };
       this.picture.value = ending.picture;
       this.next.value = null;
       this.last.value = null;
@@ -102,20 +109,30 @@ export class Exercise {
     return text;
   }
 
+  /** Gives up a question that is on its way. */
+  stopOpening(): void {
+    if (!this.opening.value) return;
+    this.runner.drop();
+    this.opening.value = false;
+  }
+
   close(): void {
     this.runner.drop();
+    this.drawer.drop();
     this.opening.value = false;
     this.posed.value = null;
     this.forget();
   }
 
   /** Goes on with an answer that was kept. */
-  resume({ choices, attempts, hints }: KeptAnswer): void {
+  resume({ choices, attempts, hints, checked }: KeptAnswer): void {
     const question = this.posed.value?.question;
     if (question === undefined) return;
     this.change(choices.filter((choice) => choice < question.form.choices.length));
     this.attempts.value = attempts;
     this.hints.value = Math.min(hints, question.hints.length);
+    this.code.value = checked?.code ?? null;
+    this.score.value = checked?.score ?? null;
   }
 
   /** Makes a choice: the one, one more or less of a set, or the next of a sequence. */
@@ -147,8 +164,8 @@ export class Exercise {
     if (posed === null || !this.canTry.value) return;
     this.checking.value = true;
     const [choices, hints, attempts] = [this.choices.value, this.hints.value, this.attempts.value + 1];
-    const { seed } = this;
-    const ending = await this.runner.run({ kind: "judge", document: posed.text, seed, choices, attempts, hints });
+    const { text, seed } = posed;
+    const ending = await this.runner.run({ kind: "judge", document: text, seed, choices, attempts, hints });
     this.checking.value = false;
     if (ending.kind === "stale" || posed !== this.posed.value) return;
     if (ending.kind !== "judged") {
@@ -167,11 +184,18 @@ export class Exercise {
 
   /** The answer as a link keeps it. */
   get kept(): KeptAnswer {
-    return { choices: [...this.choices.value], attempts: this.attempts.value, hints: this.hints.value };
+    const [code, score] = [this.code.value, this.score.value];
+    return {
+      choices: [...this.choices.value],
+      attempts: this.attempts.value,
+      hints: this.hints.value,
+      ...(code === null || score === null ? {} : { checked: { code, score } }),
+    };
   }
 
   dispose(): void {
     this.runner.dispose();
+    this.drawer.dispose();
   }
 
   private change(choices: readonly number[]): void {
@@ -203,7 +227,7 @@ export class Exercise {
     const { document, form, hide } = posed.question;
     const plan = this.choices.value.map((choice) => String(form.choices[choice]));
     const board = hide.includes("beliefs") ? "actor" : "all";
-    const ending = await this.runner.run({ kind: "sketch", document: JSON.stringify(document), plan, board });
+    const ending = await this.drawer.run({ kind: "sketch", document: JSON.stringify(document), plan, board });
     if (ending.kind === "stale" || posed !== this.posed.value) return;
     if (ending.kind !== "sketched") {
       this.error.value = messageOf(ending);

@@ -36,11 +36,16 @@ export class Guess {
   readonly under: ReadonlySignal<boolean> = computed(() => this.round.value.kind === "guessing");
 
   private readonly hider = new TaskRunner("now");
+  /** The document that was open when the round began. */
+  private begun: OpenProblem["document"]["value"] = null;
   private hidden: { goal: string; document: string; scene: Scene; trace: Trace } | null = null;
 
   constructor(private readonly stores: Stores) {
-    // What the boards show by then is another plan's.
-    stores.boards.replaced.add(() => this.end());
+    // What the boards show by then is another plan's. While the other player hides, an answer for the same problem is
+    // nothing that a game shows.
+    stores.boards.replaced.add(() => {
+      if (this.round.value.kind !== "hiding" || this.stores.problem.document.value !== this.begun) this.end();
+    });
   }
 
   /** Draws a goal and has a best plan for it walked in secret. */
@@ -48,6 +53,7 @@ export class Guess {
     const { document, scene } = this.stores.problem;
     const open = document.value;
     if (open === null || scene.value === null) return;
+    this.begun = open;
     this.round.value = { kind: "hiding" };
     const goals = scene.value.goals.map(({ name }) => name);
     while (goals.length > 0) {

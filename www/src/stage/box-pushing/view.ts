@@ -1,7 +1,7 @@
 // Box pushing: a robot that looks one way and pushes a box; a goal is a cell for the box.
 import { nothing, svg, type TemplateResult } from "lit";
 import type { Scene, State } from "../../core.js";
-import { sameCell } from "../../problem/cells.js";
+import { cellText, sameCell } from "../../problem/cells.js";
 import type { Cell } from "../../problem/types.js";
 import { counted } from "../../view/numbers.js";
 import { called } from "../../view/observers.js";
@@ -17,7 +17,7 @@ type BoxScene = Extract<Scene, { format: "box-pushing" }>;
 
 export const boxPushingView = (scene: BoxScene): View => ({
   board: (name, input, playground) => board(name, { ...input, scene }, playground),
-  goal: (index) => `the box in ${inWords(scene.goals[index]?.cell ?? [0, 0])}`,
+  goal: (index) => `the box in ${cellText(scene.goals[index]?.cell ?? [0, 0])}`,
   legend: () =>
     poseSigns([
       [svg`<g transform="translate(0.5 0.5)">${crate("sure", 1)}</g>`, "box"],
@@ -25,8 +25,6 @@ export const boxPushingView = (scene: BoxScene): View => ({
       [svg`<g transform="translate(0.5 0.5)">${rose(["north", "east"], [0, 0], 0.9)}</g>`, "ways it may look"],
     ]),
 });
-
-export const inWords = ([column, row]: Cell): string => `column ${column}, row ${row}`;
 
 const boxOf = (state: State): Cell => (typeof state === "object" && "box" in state ? state.box : [0, 0]);
 const facingOf = (state: State): Facing => (typeof state === "object" && "facing" in state ? state.facing : "north");
@@ -41,7 +39,7 @@ function board(name: BoardName, input: BoardInput<BoxScene>, playground: BoardSt
   const after = `After ${counted(step, "action")}`;
   const label =
     name === "actor"
-      ? `${after}: the robot in ${inWords(at)} looks ${facingOf(shown.state)}; the box is in ${inWords(boxOf(shown.state))}.`
+      ? `${after}: the robot in ${cellText(at)} looks ${facingOf(shown.state)}; the box is in ${cellText(boxOf(shown.state))}.`
       : `${after} the ${called[name]} thinks the robot may be in ${counted(cellsOf(name, input), "cell")}, looking ${facings.join(" or ") || "anywhere"}, and the box in ${counted(boxes.length, "cell")}.`;
   return poseBoard(name, input, playground, {
     at,

@@ -1,13 +1,12 @@
 // The recycling robot: it carries a can to a bin, and its battery runs down on the way. A goal is a bin.
 import { nothing, svg, type TemplateResult } from "lit";
 import type { Scene, State } from "../../core.js";
-import { sameCell } from "../../problem/cells.js";
+import { cellText, sameCell } from "../../problem/cells.js";
 import type { Cell } from "../../problem/types.js";
 import { counted } from "../../view/numbers.js";
 import { called } from "../../view/observers.js";
 import { enlarged } from "../../view/scale.js";
 import type { BoardInput, BoardName } from "../board-input.js";
-import { inWords } from "../box-pushing/view.js";
 import { poseBoard, robotCell } from "../pose/board.js";
 import { poseSigns } from "../pose/legend.js";
 import { robot } from "../pose/robot.js";
@@ -20,7 +19,7 @@ type RobotScene = Extract<Scene, { format: "recycling-robot" }>;
 
 export const recyclingView = (scene: RobotScene): View => ({
   board: (name, input, playground) => board(name, { ...input, scene }, playground),
-  goal: (index) => `the can in the bin in ${inWords(scene.goals[index]?.cell ?? [0, 0])}`,
+  goal: (index) => `the can in the bin in ${cellText(scene.goals[index]?.cell ?? [0, 0])}`,
   legend: () =>
     poseSigns([
       [svg`<g transform="translate(0.5 0.5) scale(1.6)">${can("sure")}</g>`, "can"],
@@ -77,8 +76,8 @@ function described(
   const after = `After ${counted(step, "action")}`;
   if (name === "actor") {
     const state = robotState(shown.state);
-    const where = Array.isArray(state?.can) ? `the can lies in ${inWords(state.can)}` : "it carries the can";
-    return `${after}: the robot is in ${inWords(robotCell(shown.state))}, ${where}, battery level ${state?.battery ?? 0}.`;
+    const where = Array.isArray(state?.can) ? `the can lies in ${cellText(state.can)}` : "it carries the can";
+    return `${after}: the robot is in ${cellText(robotCell(shown.state))}, ${where}, battery level ${state?.battery ?? 0}.`;
   }
   const robots = spots(summaryOf(shown, name), "robot").length;
   const lying = cans === 0 ? "" : `the can may lie in ${counted(cans, "cell")}`;

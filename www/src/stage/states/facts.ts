@@ -9,8 +9,8 @@ export function factsKind(scene: PddlScene): StateKind {
   return {
     atOnce: 1,
     picture: (state) => grouped(state),
-    described: (state) => factsOf(state).map(inWords).join(", ") || "no fact holds",
-    words: inWords,
+    described: (state) => factsOf(state).map(cellText).join(", ") || "no fact holds",
+    words: cellText,
     goal: (index) => scene.goals[index]?.condition ?? "",
   };
 }
@@ -27,7 +27,7 @@ export function namesKind(): StateKind {
   };
 }
 
-function inWords(fact: string): string {
+function cellText(fact: string): string {
   const { predicate, objects } = atomOf(fact);
   return [predicate, ...objects].join(" ");
 }
