@@ -1,5 +1,5 @@
 // What each kind of work needs, in the order it is looked at.
-import { ensureChromium } from "./chromium.mjs";
+import { ensureChromium, ensureHeadlessChromium } from "./chromium.mjs";
 import { ensureFirefox } from "./firefox.mjs";
 import { ensureNode } from "./node.mjs";
 import { ensureNpmPackages } from "./npm-packages.mjs";
@@ -20,7 +20,7 @@ export const needs = {
   rust: [ensureRust, ensurePythonPackages, ensureParallel],
   fuzz: [ensureRust],
   wasm,
-  browser: [...wasm, ensurePythonPackages, ensureChromium],
+  browser: [...wasm, ensurePythonPackages, ensureChromium, ensureHeadlessChromium],
   browsers: [...wasm, ensureChromium, ensureFirefox, ensureWebKit],
 };
 

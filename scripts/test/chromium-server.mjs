@@ -1,9 +1,9 @@
 // The Chromium of the page's tests, as a server that several processes can use.
 import { chromium } from "playwright-core";
-import { findChromium } from "../setup/chromium.mjs";
+import { findHeadlessChromium } from "../setup/chromium.mjs";
 
 export function launchChromium() {
-  const executablePath = findChromium();
+  const executablePath = findHeadlessChromium();
   if (executablePath === null) throw new Error("no Chromium was found: npm run setup");
   return chromium.launchServer({
     executablePath,

@@ -178,15 +178,10 @@ test("the keyboard alone opens the help, reads a word and goes on", () =>
     { viewport: { width: 390, height: 844 } },
   ));
 
-for (const colorScheme of ["light", "dark"] as const) {
-  test(`axe finds no barrier in the help, ${colorScheme}`, () =>
-    visit(
-      async ({ page }) => {
-        await statusIs(page, "optimal");
-        await press(page, "Help");
-        await help(page).waitFor();
-        await assertNoBarrier(page, `the help, ${colorScheme}`);
-      },
-      { colorScheme },
-    ));
-}
+test("axe finds no barrier in the help, light and dark", () =>
+  visit(async ({ page }) => {
+    await statusIs(page, "optimal");
+    await press(page, "Help");
+    await help(page).waitFor();
+    await assertNoBarrier(page, "the help", { dark: true });
+  }));

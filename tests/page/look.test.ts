@@ -35,18 +35,16 @@ for (const width of [320, 360, 768]) {
     ));
 }
 
-for (const colorScheme of ["light", "dark"] as const) {
-  test(`axe finds no barrier, ${colorScheme}`, () =>
-    visit(
-      async ({ page }) => {
-        await statusIs(page, "optimal");
-        await openTab(page, "Document");
-        await press(page, "Forward one step");
-        await assertNoBarrier(page, `a document, ${colorScheme}`);
-      },
-      { colorScheme, reducedMotion: "reduce" },
-    ));
-}
+test("axe finds no barrier, light and dark", () =>
+  visit(
+    async ({ page }) => {
+      await statusIs(page, "optimal");
+      await openTab(page, "Document");
+      await press(page, "Forward one step");
+      await assertNoBarrier(page, "a document", { dark: true });
+    },
+    { reducedMotion: "reduce" },
+  ));
 
 test("the keyboard alone steps and solves, and shows where it is", () =>
   visit(async ({ page }) => {

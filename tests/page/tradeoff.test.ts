@@ -277,13 +277,9 @@ test("a problem that no plan solves has no points", () =>
     },
   ));
 
-for (const [width, colorScheme] of [
-  [320, "light"],
-  [390, "dark"],
-  [1280, "light"],
-] as const) {
-  test(`the charts stay in a screen ${width} pixels wide and have no barrier, ${colorScheme}`, () =>
-    opened({ viewport: { width, height: 740 }, colorScheme, hasTouch: true, reducedMotion: "reduce" }, async (page) => {
+for (const width of [320, 1280]) {
+  test(`the charts stay in a screen ${width} pixels wide and have no barrier`, () =>
+    opened({ viewport: { width, height: 740 }, hasTouch: true, reducedMotion: "reduce" }, async (page) => {
       await page.getByRole("button", { name: "Raise k" }).tap();
       await openTab(page, "Trade-off");
       await lengths(page).waitFor();
@@ -294,6 +290,6 @@ for (const [width, colorScheme] of [
       await page.getByText("On the boards:").waitFor();
       await page.getByText("The lengths as a table").tap();
       assert((await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)) <= 0);
-      await assertNoBarrier(page, `the charts, ${width} px, ${colorScheme}`);
+      await assertNoBarrier(page, "the charts", { dark: true });
     }));
 }
