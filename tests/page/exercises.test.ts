@@ -272,3 +272,28 @@ test("an exercise that is wrong is refused with its place, and a problem after a
     await page.locator("[data-board=actor]").waitFor();
     assert.equal(await page.locator(".exercise").count(), 0);
   }));
+
+test("no picture of a question tells what observers believe where that is hidden, and none is wider than the screen", () =>
+  visit(
+    async ({ page }) => {
+      for (const name of ["01-possible-goals", "02-belief", "03-guess", "06-camera", "10-walk-both"]) {
+        await open(page, name);
+        await page.locator("#exercise-title", { hasText: JSON.parse(exerciseText(name)).exercise.title }).waitFor();
+        const hidden = name !== "10-walk-both";
+        const address = (await page.locator(".exercise .picture img").getAttribute("src")) ?? "";
+        const svg = decodeURIComponent(address.slice(address.indexOf(",") + 1));
+        const told = await page.evaluate((text) => {
+          const picture = new DOMParser().parseFromString(text, "image/svg+xml");
+          return [...picture.querySelectorAll("text, desc")].map(({ textContent }) => textContent ?? "");
+        }, svg);
+        assert.equal(
+          told.some((text) => /possible|believes/i.test(text)),
+          !hidden,
+          `${name}: ${told}`,
+        );
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        assert(wide <= 0, `${name} is ${wide} px too wide`);
+      }
+    },
+    { viewport: { width: 320, height: 700 } },
+  ));

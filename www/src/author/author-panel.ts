@@ -1,14 +1,7 @@
 // The form that makes an exercise of the open problem: its kind, what is locked and hidden, what varies, and ways to hand
 // it out.
 import { html, nothing, type TemplateResult } from "lit";
-import {
-  asksAboutWalk,
-  type DraftFields,
-  type ExerciseDraft,
-  hideable,
-  kinds,
-  variable,
-} from "../state/exercise-draft.js";
+import { asksAboutWalk, type DraftFields, hidesBeliefs, kinds, variable } from "../state/exercise-draft.js";
 import { counted } from "../view/numbers.js";
 import { area, check, select, text } from "./fields.js";
 import { handOut } from "./hand-out.js";
@@ -21,10 +14,6 @@ const kindWords: Record<DraftFields["kind"], string> = {
   best: "The best walk",
   placement: "Place a camera, a wall or a start",
   guess: "Guess the goal",
-};
-
-const hideWords: Record<string, string> = {
-  beliefs: "beliefs and possible goals",
 };
 
 const varyWords: Record<string, string> = {
@@ -61,7 +50,7 @@ export function authorPanel(playground: AuthorPanelStores): TemplateResult {
     ${area("Hints, one a line", fields.hints, (hints) => draft.edit({ hints }))}
     ${text("Attempts (empty: any number)", fields.attempts, (attempts) => draft.edit({ attempts }))}
     ${check("Lock: the problem cannot be opened without the question", fields.lock, (lock) => draft.edit({ lock }))}
-    ${hidden(draft, fields)}
+    ${check("Hide what the observers believe", hidesBeliefs(fields), (hide) => draft.edit({ hidesBeliefs: hide }))}
     <fieldset><legend>Other for each student</legend>
       ${variable
         .filter((name) => about || name !== "plan")
@@ -104,19 +93,6 @@ function placement({ problem, exerciseDraft: draft }: AuthorPanelStores, fields:
       (goal) => draft.edit({ goal }),
     )}
     ${check("The goal must be possible then", fields.possible, (possible) => draft.edit({ possible }))}`;
-}
-
-function hidden(draft: ExerciseDraft, { hide }: DraftFields): TemplateResult {
-  return html`<fieldset><legend>Hidden</legend>
-    ${check("what would give the answer away", hide === null, (usual) => draft.edit({ hide: usual ? null : [] }))}
-    ${
-      hide === null
-        ? nothing
-        : hideable.map((name) =>
-            check(hideWords[name] ?? name, hide.includes(name), (on) => draft.edit({ hide: toggled(hide, name, on) })),
-          )
-    }
-  </fieldset>`;
 }
 
 const toggled = (list: readonly string[], name: string, on: boolean): string[] =>

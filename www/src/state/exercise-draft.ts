@@ -3,7 +3,6 @@ import { signal } from "@preact/signals-core";
 import { Copier } from "../view/copier.js";
 
 export const kinds = ["possible-goals", "belief", "walk", "best", "placement", "guess"] as const;
-export const hideable = ["beliefs"] as const;
 export const variable = ["start", "goals", "walls", "true_goal", "plan"] as const;
 type Kind = (typeof kinds)[number];
 
@@ -22,8 +21,8 @@ export interface DraftFields {
   /** One a line. */
   hints: string;
   attempts: string;
-  /** Null: what would give the answer away. */
-  hide: readonly string[] | null;
+  /** Null: where it would give the answer away. */
+  hidesBeliefs: boolean | null;
   lock: boolean;
   vary: readonly string[];
 }
@@ -41,10 +40,13 @@ const empty: DraftFields = {
   shortest: false,
   hints: "",
   attempts: "",
-  hide: null,
+  hidesBeliefs: null,
   lock: true,
   vary: [],
 };
+
+/** What observers believe would give the answer away, where the question is about a walk that is told. */
+export const hidesBeliefs = ({ kind, hidesBeliefs }: DraftFields): boolean => hidesBeliefs ?? asksAboutWalk(kind);
 
 /** Kinds that ask about a walk; the others ask for one. */
 export const asksAboutWalk = (kind: Kind): boolean => kind !== "walk" && kind !== "best";
@@ -64,7 +66,7 @@ export class ExerciseDraft {
 
   /** The block; `plan` is the walk shown, `goal` a goal to ask about where none is chosen. */
   block(plan: readonly string[], goal: string): object {
-    const { kind, title, introduction, hints, attempts, hide, lock, vary, ...rest } = this.fields.value;
+    const { kind, title, introduction, hints, attempts, lock, vary, ...rest } = this.fields.value;
     const lines = hints.split("\n").map((line) => line.trim());
     return {
       kind,
@@ -80,7 +82,9 @@ export class ExerciseDraft {
       ...(kind === "best" && rest.shortest ? { shortest: true } : {}),
       ...(lines.some((line) => line !== "") ? { hints: lines.filter((line) => line !== "") } : {}),
       ...numberAs("attempts", attempts),
-      ...(hide === null ? {} : { hide }),
+      ...(hidesBeliefs(this.fields.value) === asksAboutWalk(kind)
+        ? {}
+        : { hide: asksAboutWalk(kind) ? [] : ["beliefs"] }),
       ...(lock ? {} : { lock }),
       ...(vary.length === 0 ? {} : { vary: vary.filter((name) => name !== "plan" || asksAboutWalk(kind)) }),
     };

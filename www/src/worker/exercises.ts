@@ -24,8 +24,8 @@ export function asked(core: Core, { document, seed }: Of<"exercise">): Answer {
   const question = exerciseOf(core, document, seed).question();
   const plan = question.plan ?? [];
   const board = question.hide.includes("beliefs") ? "actor" : "all";
-  // Who guesses the goal must not see which it is.
-  const options = { board, true_goal: question.kind !== "guess" } as const;
+  // Who guesses the goal must not see which it is; what observers believe stands in the captions.
+  const options = { board, captions: board === "all", true_goal: question.kind !== "guess" } as const;
   const { picture } = pictureOf(core, JSON.stringify(question.document), plan, options);
   return { kind: "asked", question, picture };
 }
@@ -37,14 +37,17 @@ export function judged(core: Core, { document, seed, choices, attempts, hints }:
 
 export function sketched(core: Core, { document, plan, board }: Of<"sketch">): Answer {
   exercisesOf(core);
-  return { kind: "sketched", ...pictureOf(core, document, plan, { board }) };
+  return { kind: "sketched", ...pictureOf(core, document, plan, { board, captions: board === "all" }) };
 }
 
 function pictureOf(core: Core, document: string, plan: string[], options: PictureOptions) {
   const problem = new core.Problem(document);
   try {
     const last = problem.overview(plan, 1).steps.at(-1) ?? null;
-    return { picture: problem.picture(plan, options), next: problem.next(plan), last };
+    const drawn = problem.picture(plan, options);
+    // The description that a picture carries tells what observers believe; the page's own words stand beside it.
+    const picture = drawn.replace(/<desc>[^<]*<\/desc>/, "");
+    return { picture, next: problem.next(plan), last };
   } finally {
     problem.free();
   }
