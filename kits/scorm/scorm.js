@@ -51,7 +51,7 @@
     api.LMSCommit("");
   }
   let timer;
-  for (const name of ["mo-copp-step", "mo-copp-outcome"]) {
+  for (const name of ["mo-copp-step", "mo-copp-outcome", "mo-copp-answer"]) {
     playground.addEventListener(name, () => {
       clearTimeout(timer);
       timer = setTimeout(keep, QUIET_MS);

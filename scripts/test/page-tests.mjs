@@ -4,7 +4,7 @@ import { availableParallelism } from "node:os";
 import { inRoot } from "../lib/paths.mjs";
 import { run } from "../lib/run.mjs";
 
-/** A page's test waits for what it expects, for at most 30 seconds; this ends a file that hangs all the same. */
+/** A page's test waits for what it expects, for at most a minute; this ends a file that hangs all the same. */
 const LIMIT_MS = 600_000;
 
 /** Each file begins with half a second of loading in which the browser has nothing to do. */

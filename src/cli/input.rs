@@ -79,6 +79,22 @@ pub fn document(path: &Path) -> Result<(Document, Arc<Problem>), CliError> {
     Ok((document, problem))
 }
 
+/// A document with its problem, and the block `exercise` that it has.
+pub fn document_and_exercise(
+    path: &Path,
+) -> Result<(Document, Arc<Problem>, Option<serde_json::Value>), CliError> {
+    let text = text(path)?;
+    let wrong = |error: DocumentError| placed(path, &text, error);
+    let document = Document::parse(&text).map_err(wrong)?;
+    let problem = Arc::new(document.problem().map_err(wrong)?);
+    let whole: Option<serde_json::Value> = serde_json::from_str(&text).ok();
+    Ok((
+        document,
+        problem,
+        whole.and_then(|mut whole| whole.get_mut("exercise").map(serde_json::Value::take)),
+    ))
+}
+
 /// The exercise of a document, and the document's text.
 pub fn exercise(path: &Path) -> Result<(Exercise, String), CliError> {
     let text = text(path)?;

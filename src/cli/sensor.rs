@@ -4,6 +4,7 @@ use mo_copp::domain::Document;
 use mo_copp::domain::pddl::PddlSensor;
 use mo_copp::problem::Role;
 use mo_copp::solver::OptionsError;
+use serde::Serialize;
 
 use super::args::SensorArgs;
 use super::error::CliError;
@@ -14,7 +15,7 @@ const HEAD: [&str; 2] = ["operator", "symbol"];
 
 /// Prints a table, or the document with another one; the exit code.
 pub fn run(args: &SensorArgs) -> Result<u8, CliError> {
-    let (mut document, problem) = input::document(&args.problem)?;
+    let (mut document, problem, exercise) = input::document_and_exercise(&args.problem)?;
     let wrong = |option, found: String, expected: &str| {
         CliError::Options(OptionsError::new(option, found, expected))
     };
@@ -98,6 +99,18 @@ pub fn run(args: &SensorArgs) -> Result<u8, CliError> {
     // What the table says must fit the problem.
     let file = table.display().to_string();
     document.problem().map_err(|error| CliError::Document { file, error })?;
-    print(&(document.to_json() + "\n"))?;
+    let whole = Whole { document: &document, exercise: exercise.as_ref() };
+    let text = serde_json::to_string_pretty(&whole)
+        .map_err(|error| CliError::Output(std::io::Error::other(error)))?;
+    print(&(text + "\n"))?;
     Ok(0)
+}
+
+/// A document with the exercise that it had.
+#[derive(Serialize)]
+struct Whole<'a> {
+    #[serde(flatten)]
+    document: &'a Document,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exercise: Option<&'a serde_json::Value>,
 }

@@ -40,6 +40,20 @@ fn a_table_that_is_written_and_read_again_changes_no_symbol() {
 }
 
 #[test]
+fn the_exercise_of_a_document_is_kept() {
+    let mut document: Value = serde_json::from_str(&logistics()).unwrap();
+    document["exercise"] = serde_json::json!({"kind": "best", "title": "Towers"});
+    let table = mo_copp(&document.to_string(), &["sensor", "-", "--observer", "adversarial"]);
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("kept.csv");
+    fs::write(&path, &table.out).unwrap();
+    let args = ["sensor", "-", "--observer", "adversarial", "--table", path.to_str().unwrap()];
+    let changed = mo_copp(&document.to_string(), &args);
+    assert_eq!(changed.code, 0, "{}", changed.err);
+    let read: Value = serde_json::from_str(&changed.out).unwrap();
+    assert_eq!(read["exercise"], document["exercise"]);
+}
+
+#[test]
 fn tables_that_are_none() {
     let document = logistics();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bad.csv");

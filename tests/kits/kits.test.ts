@@ -270,6 +270,27 @@ test("SCORM 1.2: the package, its score and what it keeps", () =>
       await page.waitForFunction('(window.kept["cmi.suspend_data"] ?? "").includes(\'"mode":"walk"\')');
       await page.reload();
       await page.frameLocator("iframe").locator('mo-copp-playground[data-step="5"]').waitFor();
+      // An exercise in its place: its score, and the answer at the next visit.
+      const exercise = readFileSync(inRoot("examples", "exercises", "01-possible-goals.json"), "utf8");
+      writeFileSync(join(folder, "course", "exercise.json"), exercise);
+      const lesson = join(folder, "course", "playground.html");
+      const changed = readFileSync(lesson, "utf8").replace('problem="corridor"', 'src="exercise.json"');
+      writeFileSync(lesson, changed);
+      await page.evaluate("sessionStorage.clear(); window.API.LMSFinish = window.API.LMSCommit = () => 'true';");
+      await page.reload();
+      await lab.getByLabel("G1", { exact: true }).check();
+      await lab.getByRole("button", { name: "Check the answer" }).click();
+      await page.waitForFunction('window.kept["cmi.core.score.raw"] === "0"');
+      assert.equal(await page.evaluate('window.kept["cmi.core.lesson_status"]'), "incomplete");
+      await lab.getByLabel("G2", { exact: true }).check();
+      await lab.getByRole("button", { name: "Check the answer" }).click();
+      await page.waitForFunction('window.kept["cmi.core.score.raw"] === "100"');
+      assert.equal(await page.evaluate('window.kept["cmi.core.lesson_status"]'), "passed");
+      const code = await lab.getByLabel("Answer code").inputValue();
+      await page.waitForFunction('(window.kept["cmi.suspend_data"] ?? "").includes(\'"answer"\')');
+      await page.reload();
+      await lab.getByLabel("Answer code").waitFor();
+      assert.equal(await lab.getByLabel("Answer code").inputValue(), code);
     },
     { ...kit, quiet: false },
   ));

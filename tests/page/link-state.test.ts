@@ -1,6 +1,7 @@
 // The whole state comes back from a link, whatever solver answered, and whatever the page was used for before.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { isDeepStrictEqual } from "node:util";
 import { pack } from "../../www/src/share/packed.js";
 import { visit } from "./support/browser.js";
 import { solve } from "./support/core.js";
@@ -62,6 +63,9 @@ for (const [title, form, status, problem = grid()] of asked) {
         await page.getByRole("tab", { name: "Steps", selected: true }).waitFor();
         await statusIs(page, status);
         await stepIs(page, step);
+        // The best possible is worked out when the answer is there, and is said then.
+        for (let looks = 0; looks < 100 && !isDeepStrictEqual(await read(), before); looks += 1)
+          await page.waitForTimeout(100);
         assert.deepEqual(await read(), before);
         await openTab(page, "Steps");
         assert.equal(await addressHolds(page, (state) => state.tab === "steps"), hash);

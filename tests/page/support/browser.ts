@@ -78,6 +78,9 @@ const marking = {
   context: ["addInitScript", "exposeFunction", "exposeBinding", "route", "grantPermissions", "setOffline", "newPage"],
 } as const;
 
+/** For what is waited for at most: a machine may do much else meanwhile. */
+const PATIENCE_MS = 60_000;
+
 const VIEWPORT = { width: 1280, height: 800 };
 
 async function lend(options: BrowserContextOptions, plain: boolean): Promise<Lent> {
@@ -86,6 +89,7 @@ async function lend(options: BrowserContextOptions, plain: boolean): Promise<Len
   if (used === null) {
     const context = await (await browser()).newContext({ viewport: VIEWPORT, ...options });
     const page = await context.newPage();
+    page.setDefaultTimeout(PATIENCE_MS);
     const lent: Lent = { page, plain };
     watchForMarks(lent);
     return lent;
