@@ -145,6 +145,19 @@ fn a_board_alone_is_smaller_and_a_dark_one_has_other_colours() {
 }
 
 #[test]
+fn a_plan_that_may_go_on_rules_nothing_out_and_claims_no_difference() {
+    let text = include_str!("../examples/gridworld.json");
+    let (document, problem) = load(text);
+    let plan = baseline(&problem);
+    let mut options = PictureOptions::step(plan.len());
+    let ended = draw(&document, &problem, &plan, &options).unwrap();
+    options.ended = false;
+    let open = draw(&document, &problem, &plan, &options).unwrap();
+    assert!(ended.contains("line-through") && ended.contains("Goal difference"));
+    assert!(!open.contains("line-through") && !open.contains("Goal difference"), "{open}");
+}
+
+#[test]
 fn names_are_text_and_never_markup() {
     let name = "</text><script>alert(1)</script>";
     let text = include_str!("../www/problems/eight-by-eight.json");

@@ -207,6 +207,8 @@ export interface PictureOptions {
   captions?: boolean;
   /** Whether the true goal is marked as such. */
   true_goal?: boolean;
+  /** Whether the agent stops where the plan ends; else it may go on, and nothing is ruled out. */
+  ended?: boolean;
   theme?: "light" | "dark";
 }
 

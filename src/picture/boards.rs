@@ -30,6 +30,8 @@ pub(super) struct BoardInput<'a> {
     pub steps: &'a [StepReport],
     /// The one that is drawn.
     pub at: usize,
+    /// Whether the agent stops with the last one.
+    pub ended: bool,
     pub owner: Owner,
     pub tone: Tone,
     pub palette: &'a Palette,
@@ -40,9 +42,9 @@ impl<'a> BoardInput<'a> {
         &self.steps[self.at]
     }
 
-    /// Whether the plan ends with this step.
+    /// Whether the agent stops with this step.
     pub fn is_last(&self) -> bool {
-        self.at + 1 == self.steps.len()
+        self.ended && self.at + 1 == self.steps.len()
     }
 
     /// The believed states that the report lists; none on the agent's board.

@@ -75,6 +75,8 @@ pub struct PictureOptions {
     pub captions: bool,
     /// Whether the true goal is marked as such.
     pub true_goal: bool,
+    /// Whether the agent stops where the plan ends. Else it may go on: nothing is ruled out, and no difference is told.
+    pub ended: bool,
     /// Light or dark.
     pub theme: Theme,
 }
@@ -87,6 +89,7 @@ impl PictureOptions {
             boards: Boards::All,
             captions: true,
             true_goal: true,
+            ended: true,
             theme: Theme::Light,
         }
     }

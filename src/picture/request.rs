@@ -7,8 +7,8 @@ use crate::problem::Problem;
 
 use super::{Boards, PictureOptions, Steps, Theme};
 
-const KEYS: [&str; 7] =
-    ["step", "animate", "milliseconds", "board", "captions", "true_goal", "theme"];
+const KEYS: [&str; 8] =
+    ["step", "animate", "milliseconds", "board", "captions", "true_goal", "ended", "theme"];
 
 /// The options written as a JSON object, as the JavaScript API takes them; `last` is the last step of the plan, which is
 /// drawn where no other is named.
@@ -64,6 +64,9 @@ pub fn read_picture_options(
     }
     if let Some(true_goal) = fields.optional("true_goal") {
         options.true_goal = true_goal.boolean()?;
+    }
+    if let Some(ended) = fields.optional("ended") {
+        options.ended = ended.boolean()?;
     }
     if let Some(theme) = fields.optional("theme") {
         let named = Theme::named(theme.text()?);

@@ -29,6 +29,7 @@ pub(super) struct Sheet<'a> {
     theme: Theme,
     owners: Vec<Owner>,
     captions: bool,
+    ended: bool,
 }
 
 impl<'a> Sheet<'a> {
@@ -46,7 +47,8 @@ impl<'a> Sheet<'a> {
         };
         let palette = Palette::of(options.theme);
         let theme = options.theme;
-        Self { scene, document, trace, palette, theme, owners, captions: options.captions }
+        let (captions, ended) = (options.captions, options.ended);
+        Self { scene, document, trace, palette, theme, owners, captions, ended }
     }
 
     /// One step.
@@ -138,6 +140,7 @@ impl<'a> Sheet<'a> {
             document: self.document,
             steps: &self.trace.steps,
             at,
+            ended: self.ended,
             owner,
             tone: self.tone(owner),
             palette: self.palette,
@@ -235,6 +238,8 @@ impl<'a> Sheet<'a> {
         let last = self.trace.steps.len() - 1;
         let step = &self.trace.steps[at];
         match &step.action {
+            None if !self.ended => "Start".to_owned(),
+            Some(action) if !self.ended => format!("Step {at}: {action}"),
             None => format!("Start, {last} step{} to go", if last == 1 { "" } else { "s" }),
             Some(action) => format!("Step {at} of {last}: {action}"),
         }
@@ -250,7 +255,7 @@ impl<'a> Sheet<'a> {
         };
         let sides: Vec<String> = (0..self.scene.observers.len()).map(side).collect();
         let mut text = format!("Possible goals: {}.", sides.join(", "));
-        if at + 1 == self.trace.steps.len() && self.trace.valid {
+        if self.ended && at + 1 == self.trace.steps.len() && self.trace.valid {
             // Writing to a text cannot fail.
             let _ = write!(text, " Goal difference {}.", Number(step.goal_difference));
         }

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { assertNoBarrier } from "./support/barriers.js";
 import { grid } from "./support/documents.js";
 import { opened } from "./support/opened.js";
-import { press } from "./support/playground.js";
+import { press, slider } from "./support/playground.js";
 
 test("an exercise is made of the steps shown, tried, and edited again", () =>
   opened({ document: grid(), tab: "Exercise" }, async (page) => {
@@ -12,6 +12,8 @@ test("an exercise is made of the steps shown, tried, and edited again", () =>
     await page.getByLabel("Hints, one a line").fill("One\nTwo");
     await page.getByLabel("Attempts (empty: any number)").fill("2");
     await assertNoBarrier(page, "the form of an exercise");
+    await slider(page).fill("2");
+    await page.getByText("about the 2 steps").waitFor();
     await press(page, "Try it as a student");
     await page.getByRole("heading", { name: "Mine" }).waitFor();
     await page.getByText("2 attempts left.").waitFor();
@@ -20,6 +22,8 @@ test("an exercise is made of the steps shown, tried, and edited again", () =>
     await press(page, "Back to editing");
     await page.locator("[data-board=actor]").waitFor();
     assert.equal(await page.getByLabel("Title").inputValue(), "Mine");
+    // The same question still: the step that it is about is shown again.
+    await page.getByText("about the 2 steps").waitFor();
   }));
 
 test("an exercise that is wrong stays in the form, with the core's word of why", () =>
@@ -27,6 +31,12 @@ test("an exercise that is wrong stays in the form, with the core's word of why",
     await page.getByLabel("Attempts (empty: any number)").fill("many");
     await press(page, "Try it as a student");
     await page.getByText('exercise.attempts: found "many", expected a whole number from 1 to 99').waitFor();
+    // Nothing that is wrong is handed out.
+    await page.getByLabel("Attempts (empty: any number)").fill("none");
+    assert.equal(await page.getByText('exercise.attempts: found "').count(), 0);
+    await press(page, "Copy a link");
+    await page.getByText('exercise.attempts: found "none"').waitFor();
+    assert.equal(await page.getByText("Copied.").count(), 0);
     await page.getByLabel("Attempts (empty: any number)").fill("");
     await page.getByLabel("Kind of question").selectOption("walk");
     await page.getByLabel("Goal difference of at least").fill("-1");

@@ -64,7 +64,7 @@ pub struct ShowArgs {
     pub json: bool,
 }
 
-/// Print a variant.
+/// Print a variant: to be looked at or printed. It is an exercise of its own: its answer codes are graded with its file.
 #[derive(Debug, Args)]
 pub struct VariantArgs {
     /// Which variant.

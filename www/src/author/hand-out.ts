@@ -1,7 +1,8 @@
 // Ways to hand an exercise out: tried as a student, as a link, as code for a page, as a file.
 import { html, type TemplateResult } from "lit";
 import { LONGEST_LINK, MOST_TEXT, pack } from "../share/packed.js";
-import { planShown } from "../share/shared-state.js";
+import { restore } from "../share/restore.js";
+import { planShown, stateOf } from "../share/shared-state.js";
 import { download } from "../view/download.js";
 import type { AuthorPanelStores } from "./stores.js";
 
@@ -11,10 +12,11 @@ export function handOut(playground: AuthorPanelStores): TemplateResult {
   const { exerciseDraft: draft } = playground;
   return html`<div class="actions">
       <button type="button" class="primary" @click=${() => void attempt(playground)}>Try it as a student</button>
-      <button type="button" @click=${() => void copyLink(playground)}>Copy a link</button>
-      <button type="button" @click=${() => void copyText(playground, codeOf(documentOf(playground)))}>Copy code for a page</button>
-      <button type="button" @click=${() => download(`${documentOf(playground)}\n`, "application/json", "exercise.json")}>Save as a file</button>
+      <button type="button" @click=${() => void checked(playground, (text) => copyLink(playground, text))}>Copy a link</button>
+      <button type="button" @click=${() => void checked(playground, (text) => copyText(playground, codeOf(text)))}>Copy code for a page</button>
+      <button type="button" @click=${() => void checked(playground, save)}>Save as a file</button>
     </div>
+    <p role="alert">${draft.fault.value}</p>
     <p role="status">${words[draft.copier.said.value]}</p>
     ${
       draft.shown.value === ""
@@ -32,16 +34,31 @@ export function documentOf({ exerciseDraft: draft, problem, timeline }: AuthorPa
   return JSON.stringify({ ...document, exercise: draft.block(plan, goal) }, null, 2);
 }
 
-/** An exercise that is wrong stays in the form, with the core's word of why above the page. */
-async function attempt(playground: AuthorPanelStores): Promise<void> {
-  const { exerciseDraft: draft, problem, edits } = playground;
+/** An exercise that is wrong stays in the form, with the core's word of why. */
+async function checked(playground: AuthorPanelStores, handOn: (text: string) => unknown): Promise<void> {
   const text = documentOf(playground);
-  draft.tried.value = problem.document.value?.text ?? null;
-  if (!(await edits.open(text))) draft.tried.value = null;
+  const fault = await playground.exercise.fault(text);
+  playground.exerciseDraft.fault.value = fault ?? "";
+  if (fault === null) await handOn(text);
 }
 
-async function copyLink(playground: AuthorPanelStores): Promise<void> {
-  const state = JSON.stringify({ document: documentOf(playground), form: {}, step: 0, tab: "", mode: "plan" });
+function attempt(playground: AuthorPanelStores): Promise<void> {
+  const { exerciseDraft: draft, exercise, edits } = playground;
+  // The step too: it is what the question is about.
+  const before = stateOf(playground);
+  return checked(playground, async (text) => {
+    draft.tried.value = () => {
+      exercise.leave();
+      if (before !== null) void restore(playground, before);
+    };
+    if (!(await edits.open(text))) draft.tried.value = null;
+  });
+}
+
+const save = (text: string) => download(`${text}\n`, "application/json", "exercise.json");
+
+async function copyLink(playground: AuthorPanelStores, document: string): Promise<void> {
+  const state = JSON.stringify({ document, form: {}, step: 0, tab: "", mode: "plan" });
   const packed = state.length > MOST_TEXT ? null : await pack(state);
   if (packed === null || packed.length > LONGEST_LINK) {
     playground.exerciseDraft.shown.value = "This problem is too large for a link: save it as a file instead.";

@@ -45,8 +45,7 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
         ? nothing
         : html`<p><button type="button" @click=${() => {
             exerciseDraft.tried.value = null;
-            exercise.leave();
-            void edits.open(tried);
+            tried();
           }}>Back to editing</button></p>`
     }
     ${

@@ -56,12 +56,15 @@ export class ExerciseDraft {
   readonly copier = new Copier();
   /** A text to copy by hand, where the page may not use the clipboard. */
   readonly shown = signal("");
-  /** The document that was being edited when its exercise was tried. */
-  readonly tried = signal<string | null>(null);
+  /** Why there is nothing to hand out: the core's word of what is wrong. */
+  readonly fault = signal("");
+  /** Goes back to what was being edited when its exercise was tried. */
+  readonly tried = signal<(() => void) | null>(null);
 
   edit(change: Partial<DraftFields>): void {
     this.fields.value = { ...this.fields.value, ...change };
     this.shown.value = "";
+    this.fault.value = "";
   }
 
   /** The block; `plan` is the walk shown, `goal` a goal to ask about where none is chosen. */

@@ -100,6 +100,12 @@ export class Exercise {
     return null;
   }
 
+  /** What is wrong with a document's exercise; null where it can be asked. */
+  async fault(text: string): Promise<string | null> {
+    const ending = await this.drawer.run({ kind: "exercise", document: text, seed: 0 });
+    return ending.kind === "asked" ? null : messageOf(ending);
+  }
+
   /** Ends the question: the text of its problem alone. */
   leave(): string {
     const { posed } = this;

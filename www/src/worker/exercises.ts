@@ -25,7 +25,12 @@ export function asked(core: Core, { document, seed }: Of<"exercise">): Answer {
   const plan = question.plan ?? [];
   const board = question.hide.includes("beliefs") ? "actor" : "all";
   // Who guesses the goal must not see which it is; what observers believe stands in the captions.
-  const options = { board, captions: board === "all", true_goal: question.kind !== "guess" } as const;
+  const options = {
+    board,
+    captions: board === "all",
+    true_goal: question.kind !== "guess",
+    ended: question.plan !== undefined,
+  } as const;
   const { picture } = pictureOf(core, JSON.stringify(question.document), plan, options);
   return { kind: "asked", question, picture };
 }
@@ -37,7 +42,7 @@ export function judged(core: Core, { document, seed, choices, attempts, hints }:
 
 export function sketched(core: Core, { document, plan, board }: Of<"sketch">): Answer {
   exercisesOf(core);
-  return { kind: "sketched", ...pictureOf(core, document, plan, { board, captions: board === "all" }) };
+  return { kind: "sketched", ...pictureOf(core, document, plan, { board, captions: board === "all", ended: false }) };
 }
 
 function pictureOf(core: Core, document: string, plan: string[], options: PictureOptions) {
