@@ -9,6 +9,8 @@ import { attribute, openTab, statusIs } from "./support/playground.js";
 
 /** What a person feels as a stop. */
 const MOST_MS = 100;
+/** Other programs slow a thread down even where their own time is left out: the best round counts. */
+const ROUNDS = 10;
 const GOALS = 1024;
 
 /** In the lists the first hundred, until more are asked for. */
@@ -37,7 +39,7 @@ test("a thousand goals hold the page up nowhere", () =>
     /** What other programs do to the processor's caches only adds to a time: the best of three is the page's own. */
     const least = async (what: string, work: () => Promise<void>, before = async (): Promise<unknown> => undefined) => {
       let best = Number.POSITIVE_INFINITY;
-      for (let round = 0; round < 3 && best >= MOST_MS; round += 1) {
+      for (let round = 0; round < ROUNDS && best >= MOST_MS; round += 1) {
         await before();
         best = Math.min(best, (await watched(page, work)).longest);
       }
