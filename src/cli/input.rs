@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use mo_copp::document::DocumentError;
-use mo_copp::domain::Document;
+use mo_copp::domain::{Document, EXERCISE};
 use mo_copp::exercise::Exercise;
 use mo_copp::problem::Problem;
 use mo_copp::solver::{Bounds, OptionsError, Watched};
@@ -72,9 +72,12 @@ pub fn problem(path: &Path) -> Result<Arc<Problem>, CliError> {
 
 /// A document and its problem.
 pub fn document(path: &Path) -> Result<(Document, Arc<Problem>), CliError> {
-    let text = text(path)?;
-    let wrong = |error: DocumentError| placed(path, &text, error);
-    let document = Document::parse(&text).map_err(wrong)?;
+    parsed(path, &text(path)?)
+}
+
+fn parsed(path: &Path, text: &str) -> Result<(Document, Arc<Problem>), CliError> {
+    let wrong = |error: DocumentError| placed(path, text, error);
+    let document = Document::parse(text).map_err(wrong)?;
     let problem = Arc::new(document.problem().map_err(wrong)?);
     Ok((document, problem))
 }
@@ -84,15 +87,10 @@ pub fn document_and_exercise(
     path: &Path,
 ) -> Result<(Document, Arc<Problem>, Option<serde_json::Value>), CliError> {
     let text = text(path)?;
-    let wrong = |error: DocumentError| placed(path, &text, error);
-    let document = Document::parse(&text).map_err(wrong)?;
-    let problem = Arc::new(document.problem().map_err(wrong)?);
+    let (document, problem) = parsed(path, &text)?;
     let whole: Option<serde_json::Value> = serde_json::from_str(&text).ok();
-    Ok((
-        document,
-        problem,
-        whole.and_then(|mut whole| whole.get_mut("exercise").map(serde_json::Value::take)),
-    ))
+    let block = whole.and_then(|mut whole| whole.get_mut(EXERCISE).map(serde_json::Value::take));
+    Ok((document, problem, block))
 }
 
 /// The exercise of a document, and the document's text.

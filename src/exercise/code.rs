@@ -38,8 +38,13 @@ const SIGNS: &str = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
 static ENCODING: LazyLock<Option<Encoding>> = LazyLock::new(|| {
     let mut specification = Specification::new();
     specification.symbols.push_str(SIGNS);
-    specification.translate.from.push_str("abcdefghjkmnpqrstvwxyzOoIiLl");
-    specification.translate.to.push_str("ABCDEFGHJKMNPQRSTVWXYZ001111");
+    for sign in ('a'..='z').chain(['I', 'L', 'O']) {
+        // A code has no U.
+        if sign != 'u' {
+            specification.translate.from.push(sign);
+            specification.translate.to.push(read_as(sign));
+        }
+    }
     specification.ignore.push_str("- ");
     specification.encoding().ok()
 });
@@ -172,13 +177,16 @@ pub(super) fn write(digest: &Digest, seed: u64, answer: &Answer, tally: Tally) -
 
 /// A code as it is compared: without what stands between its signs, each sign as it is read.
 pub fn canonical(code: &str) -> String {
-    let signs = code.chars().filter(char::is_ascii_alphanumeric);
-    let read = signs.map(|sign| match sign.to_ascii_uppercase() {
+    code.chars().filter(char::is_ascii_alphanumeric).map(read_as).collect()
+}
+
+/// Small letters are large ones, and letters that look like digits are those.
+fn read_as(sign: char) -> char {
+    match sign.to_ascii_uppercase() {
         'O' => '0',
         'I' | 'L' => '1',
         sign => sign,
-    });
-    read.collect()
+    }
 }
 
 /// Reads a code.

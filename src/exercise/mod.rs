@@ -44,6 +44,9 @@ use block::Block;
 use kind::Kind;
 use subject::Subject;
 
+/// How many variants are kept while codes are graded: those of a course, in bounded memory.
+const MOST_DRAWN: usize = 256;
+
 /// Why there is no exercise, or no variant of it.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
@@ -244,7 +247,7 @@ impl Exercise {
         self.grade_with(code, seed, &mut BTreeMap::new())
     }
 
-    /// The same, where variants that were drawn for other codes need not be drawn again.
+    /// The same, where variants that were drawn for other codes need not be drawn again: the first 256 of them are kept.
     ///
     /// # Errors
     ///
@@ -261,7 +264,9 @@ impl Exercise {
             Some(known) => known.clone(),
             None => self.variant(read.seed).map_err(none)?,
         };
-        drawn.entry(read.seed).or_insert_with(|| variant.clone());
+        if drawn.len() < MOST_DRAWN {
+            drawn.entry(read.seed).or_insert_with(|| variant.clone());
+        }
         let answer = variant.form().answer(read.choices).ok_or(CodeError::Answer)?;
         let verdict = variant.check(&answer);
         Ok(Graded { variant, answer, verdict, tally: read.tally })

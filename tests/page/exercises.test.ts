@@ -161,7 +161,7 @@ test("solvers, plans, the best value and the other boards are not on the page of
     assert(!/north, west/.test(words), "the walk is kept back");
     await page.locator(".exercise summary").click();
     assert(!(await page.locator(".exercise").innerText()).includes("true goal"));
-    const picture = (await page.locator(".exercise img").getAttribute("src")) ?? "";
+    const picture = (await page.locator(".exercise img").first().getAttribute("src")) ?? "";
     assert(decodeURIComponent(picture).includes("<svg"));
   }));
 
@@ -273,26 +273,47 @@ test("an exercise that is wrong is refused with its place, and a problem after a
     assert.equal(await page.locator(".exercise").count(), 0);
   }));
 
+test("the picture of a question has the colours of the page, and follows them", () =>
+  visit(
+    async ({ page }) => {
+      await open(page, "10-walk-both");
+      const drawn = (theme: string) =>
+        page.locator(`.exercise [data-of=actor] img[src*="data-theme%3D%22${theme}%22"]`).waitFor();
+      await drawn("dark");
+      await page.emulateMedia({ colorScheme: "light" });
+      await drawn("light");
+      await page.locator("mo-copp-playground").evaluate((element) => element.setAttribute("theme", "dark"));
+      await drawn("dark");
+    },
+    { colorScheme: "dark" },
+  ));
+
 test("no picture of a question tells what observers believe where that is hidden, and none is wider than the screen", () =>
   visit(
     async ({ page }) => {
       for (const name of ["01-possible-goals", "02-belief", "03-guess", "06-camera", "10-walk-both"]) {
         await open(page, name);
         await page.locator("#exercise-title", { hasText: JSON.parse(exerciseText(name)).exercise.title }).waitFor();
-        const hidden = name !== "10-walk-both";
-        const address = (await page.locator(".exercise .picture img").getAttribute("src")) ?? "";
-        const svg = decodeURIComponent(address.slice(address.indexOf(",") + 1));
-        const told = await page.evaluate((text) => {
-          const picture = new DOMParser().parseFromString(text, "image/svg+xml");
-          return [...picture.querySelectorAll("text, desc")].map(({ textContent }) => textContent ?? "");
-        }, svg);
-        assert.equal(
-          told.some((text) => /possible|believes/i.test(text)),
-          !hidden,
-          `${name}: ${told}`,
+        const boards = name === "10-walk-both" ? ["actor", "adversarial", "cooperative"] : ["actor"];
+        await page
+          .locator(".exercise figure")
+          .nth(boards.length - 1)
+          .waitFor();
+        const shown = await page.locator(".exercise figure").evaluateAll((figures) =>
+          figures.map((figure) => {
+            const address = figure.querySelector("img")?.src ?? "";
+            const svg = decodeURIComponent(address.slice(address.indexOf(",") + 1));
+            const picture = new DOMParser().parseFromString(svg, "image/svg+xml");
+            const told = [...picture.querySelectorAll("text, desc")].map(({ textContent }) => textContent ?? "");
+            return { board: (figure as HTMLElement).dataset.of, told: told.join(" ") };
+          }),
         );
-        // A walk that has not ended rules nothing out.
-        assert(!/line-through|plan ends/.test(svg), name);
+        assert.deepEqual(
+          shown.map(({ board }) => board),
+          boards,
+          name,
+        );
+        for (const { told } of shown) assert(!/possible|believes/i.test(told), `${name}: ${told}`);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
         assert(wide <= 0, `${name} is ${wide} px too wide`);
       }

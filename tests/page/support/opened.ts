@@ -6,7 +6,7 @@ import { openTab, press, statusIs, useDocument } from "./playground.js";
 export interface Opening extends Options {
   /** Used in place of the page's first problem. */
   document?: string;
-  /** Its search, which takes long, is stopped. */
+  /** Its search, which takes long, is stopped once there is a plan. */
   stopped?: true;
   tab?: string;
 }
@@ -20,8 +20,9 @@ export const opened = (
     if (document !== undefined) await useDocument(page, document);
     if (stopped) {
       await openTab(page, "Solve");
+      await page.getByText(/best so far/).waitFor();
       await press(page, "Cancel");
-      await statusIs(page, "feasible", "limit");
+      await statusIs(page, "feasible");
     }
     if (tab !== undefined) await openTab(page, tab);
     await use(page);

@@ -13,8 +13,8 @@ import { whenNear, whenParsed } from "./when.js";
 
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
-/** The beginning of the playground that came before. */
-let before: Promise<void> = Promise.resolve();
+/** Settles when the playground that came last in the page has begun, or failed to. */
+let lastBegun: Promise<void> = Promise.resolve();
 
 export abstract class PlaygroundElement extends Base {
   /** A form sends the code of the last answer to an exercise. */
@@ -135,8 +135,8 @@ export abstract class PlaygroundElement extends Base {
     this.stopWaiting?.();
     this.stopWaiting = null;
     if (this.loading !== null) return this.loading;
-    const begun = this.begin(before);
-    before = begun.catch(() => undefined);
+    const begun = this.begin(lastBegun);
+    lastBegun = begun.catch(() => undefined);
     this.loading = begun.catch((error: unknown) => {
       this.loading = null;
       this.failed(() => void this.show());
@@ -145,11 +145,11 @@ export abstract class PlaygroundElement extends Base {
     return this.loading;
   }
 
-  /** `before`: the first of a page goes first, whichever is loaded first: the page's address and keys are its own. */
-  private async begin(before: Promise<void>): Promise<void> {
+  /** The first of a page goes first, whichever is loaded first: the page's address and keys are its own. */
+  private async begin(earlier: Promise<void>): Promise<void> {
     // The first picture is a turn of its own, not the end of the one that reads the page's code.
     await Promise.all([whenParsed(), nextTurn()]);
-    const [Loaded] = await Promise.all([this.load(), before]);
+    const [Loaded] = await Promise.all([this.load(), earlier]);
     const keepCode = (code: string | null) => this.internals?.setFormValue(code);
     this.view = new Loaded(this, this.makeRoot(), { shown: () => this.shown(), keepCode }, this.wanted);
     if (this.isConnected) this.view.connect();

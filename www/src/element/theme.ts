@@ -87,6 +87,20 @@ export function schemeOf({ dataset }: HTMLElement): Scheme {
   return globalThis.matchMedia?.("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
 
+/** Tells the colours that a playground has, now and when they change, until the function that is returned is called. */
+export function followScheme(host: HTMLElement, told: (scheme: Scheme) => void): () => void {
+  const system = globalThis.matchMedia?.("(prefers-color-scheme: dark)");
+  const tell = () => told(schemeOf(host));
+  const observer = new MutationObserver(tell);
+  observer.observe(host, { attributeFilter: ["data-scheme"] });
+  system?.addEventListener("change", tell);
+  tell();
+  return () => {
+    observer.disconnect();
+    system?.removeEventListener("change", tell);
+  };
+}
+
 function setScheme({ dataset }: HTMLElement, scheme: Scheme | null): void {
   if (scheme === null) delete dataset.scheme;
   else if (dataset.scheme !== scheme) dataset.scheme = scheme;

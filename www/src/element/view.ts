@@ -48,7 +48,7 @@ import {
   settle,
 } from "./settings.js";
 import { pictureOptions, type SvgOptions } from "./svg-options.js";
-import { schemeOf } from "./theme.js";
+import { followScheme, schemeOf } from "./theme.js";
 
 /** An exercise is drawn by code that other problems do without. */
 const exercise = new LazyPanel<ExerciseViewStores>(
@@ -74,6 +74,7 @@ interface Told {
 
 export class View {
   readonly playground = new Playground();
+  private stopScheme = () => {};
   private readonly address: Address;
   private readonly copier: LinkCopier;
   private readonly drops: DropTarget;
@@ -131,6 +132,7 @@ export class View {
     this.announcer.listen();
     this.keys.listen();
     this.printing.connect();
+    this.stopScheme = followScheme(host, (scheme) => this.playground.exercise.colour(scheme));
     this.sizes.observe(this.root);
     this.root.addEventListener("focusin", this.seen);
     this.picture.connect();
@@ -141,6 +143,7 @@ export class View {
     this.picture.disconnect();
     this.root.removeEventListener("focusin", this.seen);
     this.sizes.disconnect();
+    this.stopScheme();
     this.address.release();
     this.drops.release();
     this.announcer.release();

@@ -4,6 +4,7 @@ import type { ExerciseVerdict, Question } from "../core.js";
 import type { Edits } from "../state/edits.js";
 import type { Exercise } from "../state/exercise.js";
 import type { ExerciseDraft } from "../state/exercise-draft.js";
+import { imageAddress } from "../view/image-address.js";
 import { counted } from "../view/numbers.js";
 import { answerForm } from "./answer-form.js";
 import { codeField } from "./code-field.js";
@@ -26,7 +27,7 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
     ${question.introduction === undefined ? nothing : html`<p class="introduction">${question.introduction}</p>`}
     <p class="question" id="exercise-question">${question.question}</p>
     <div class="asked">
-      <div class="picture">${picture(exercise, question)} ${problemInWords(question)}</div>
+      <div class="picture">${pictures(exercise, question)} ${problemInWords(question)}</div>
       <form class="answer" aria-describedby="exercise-question" @submit=${(event: Event) => event.preventDefault()}>
         ${answerForm(exercise, question)}
         <div class="actions">
@@ -56,12 +57,22 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
   </section>`;
 }
 
-function picture(exercise: Exercise, question: Question): TemplateResult {
-  const which = question.hide.includes("beliefs") ? "The agent’s board" : "The boards of agent, enemy and friend";
+const boardNames = { actor: "The agent", adversarial: "The enemy", cooperative: "The friend" };
+const boardWords = {
+  actor: "Where the agent is",
+  adversarial: "What the enemy believes",
+  cooperative: "What the friend believes",
+};
+
+function pictures(exercise: Exercise, question: Question): TemplateResult {
   const steps = question.form.choice === "action" ? exercise.choices.value.length : (question.plan?.length ?? 0);
   const when = steps === 0 ? "before the first step" : `after ${counted(steps, "step")}`;
-  // As an image, the picture needs no styles of this page, and none of it reach the page.
-  return html`<img alt="${which} ${when}" src="data:image/svg+xml;charset=utf-8,${encodeURIComponent(exercise.picture.value)}" />`;
+  return html`<div class="pictures">${exercise.pictures.value.map(
+    ({ board, svg }) => html`<figure data-of=${board}>
+      <figcaption>${boardNames[board]}</figcaption>
+      <img alt="${boardWords[board]}, ${when}" src=${imageAddress(svg)} />
+    </figure>`,
+  )}</div>`;
 }
 
 function tally({ attempts }: Exercise, question: Question): string {

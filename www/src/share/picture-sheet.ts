@@ -9,7 +9,8 @@ import { besidePlayground } from "../view/beside.js";
 import { closeAround } from "../view/dialog.js";
 import { download } from "../view/download.js";
 import { cross } from "../view/icons.js";
-import { imageAddress, png } from "./png.js";
+import { imageAddress } from "../view/image-address.js";
+import { png } from "./png.js";
 
 export interface PictureStores {
   boards: Boards;

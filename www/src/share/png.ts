@@ -1,10 +1,8 @@
-// An SVG picture as an image of the page, and as pixels.
+// An SVG picture as pixels.
+import { imageAddress } from "../view/image-address.js";
 
 /** Sharp on a slide and on a screen of many pixels: the picture itself is as large as a slide is shown. */
 const SCALE = 2;
-
-/** An address that content policies allow by `img-src data:`. */
-export const imageAddress = (svg: string): string => `data:image/svg+xml,${encodeURIComponent(svg)}`;
 
 /** Rejects with a sentence where the page may show no such image. */
 export async function png(svg: string): Promise<Blob> {

@@ -47,7 +47,7 @@ const encodings: [value: Form["encoding"], title: string, about: string][] = [
   [
     "paper",
     "As in the paper (slow)",
-    "A variable for each state, belief and sign at each step: to learn from and to check.",
+    "A variable for each state, belief and symbol at each step: to learn from and to check.",
   ],
 ];
 

@@ -1,10 +1,17 @@
 // The exercise that is open: its question, the answer that is being made, what was said of it, and its code.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { ExerciseVerdict, NextAction, Question, TraceStep } from "../core.js";
+import type { ExerciseVerdict, NextAction, PictureOptions, Question, TraceStep } from "../core.js";
 import { Copier } from "../view/copier.js";
 import type { Ending } from "../worker/client.js";
-import type { Seed } from "../worker/protocol.js";
+import type { Board, Seed } from "../worker/protocol.js";
 import { TaskRunner } from "../worker/runner.js";
+
+export interface Picture {
+  board: Board;
+  svg: string;
+}
+
+type Scheme = NonNullable<PictureOptions["theme"]>;
 
 /** The answer to a question as a link or a course system keeps it. */
 export interface KeptAnswer {
@@ -26,8 +33,8 @@ export class Exercise {
   readonly posed = signal<Posed | null>(null);
   /** An exercise is on its way. */
   readonly opening = signal(false);
-  /** The picture: SVG. */
-  readonly picture = signal("");
+  /** The boards as SVG: the agent's, and those of the observers where they are not hidden. */
+  readonly pictures = signal<readonly Picture[]>([]);
   /** What can be done after the walk that is being given; null while that is not known, or where no walk is asked for. */
   readonly next = signal<readonly NextAction[] | null>(null);
   /** The end of the walk that is being given. */
@@ -52,6 +59,7 @@ export class Exercise {
   /** What the page asks for by attributes. */
   seed: Seed = 0;
   block: string | null = null;
+  private scheme: Scheme = "light";
   /** Questions and verdicts. */
   private readonly runner = new TaskRunner("now");
   /** Pictures of walks, which come and go beside them. */
@@ -90,19 +98,20 @@ export class Exercise {
     if (ending.kind !== "asked") return messageOf(ending);
     batch(() => {
       this.posed.value = { text, question: ending.question, seed };
-      this.picture.value = ending.picture;
+      this.pictures.value = [];
       this.next.value = null;
       this.last.value = null;
       this.cursor.value = 0;
       this.forget();
     });
-    if (ending.question.form.choice === "action") void this.draw();
+    void this.draw();
     return null;
   }
 
-  /** What is wrong with a document's exercise; null where it can be asked. */
+  /** What is wrong with a document's exercise; null where it can be asked, empty where another was looked at meanwhile. */
   async fault(text: string): Promise<string | null> {
-    const ending = await this.drawer.run({ kind: "exercise", document: text, seed: 0 });
+    const ending = await this.runner.run({ kind: "exercise", document: text, seed: 0 });
+    if (ending.kind === "stale") return "";
     return ending.kind === "asked" ? null : messageOf(ending);
   }
 
@@ -226,21 +235,35 @@ export class Exercise {
     });
   }
 
-  /** The picture of the walk that is being given. */
+  /** The colours of pictures. */
+  colour(scheme: Scheme): void {
+    if (scheme === this.scheme) return;
+    this.scheme = scheme;
+    void this.draw();
+  }
+
+  /** The picture of the walk that is told, or of the one that is being given. */
   private async draw(): Promise<void> {
     const posed = this.posed.value;
     if (posed === null) return;
-    const { document, form, hide } = posed.question;
-    const plan = this.choices.value.map((choice) => String(form.choices[choice]));
-    const board = hide.includes("beliefs") ? "actor" : "all";
-    const ending = await this.drawer.run({ kind: "sketch", document: JSON.stringify(document), plan, board });
+    const { document, form, hide, kind, plan: told } = posed.question;
+    const given = form.choice === "action" ? this.choices.value.map((choice) => String(form.choices[choice])) : [];
+    const boards: Board[] = hide.includes("beliefs") ? ["actor"] : ["actor", "adversarial", "cooperative"];
+    const options: PictureOptions = {
+      // Who guesses the goal must not see which it is.
+      true_goal: kind !== "guess",
+      ended: told !== undefined,
+      theme: this.scheme,
+    };
+    const plan = told ?? given;
+    const ending = await this.drawer.run({ kind: "sketch", document: JSON.stringify(document), plan, boards, options });
     if (ending.kind === "stale" || posed !== this.posed.value) return;
     if (ending.kind !== "sketched") {
       this.error.value = messageOf(ending);
       return;
     }
     batch(() => {
-      this.picture.value = ending.picture;
+      this.pictures.value = ending.pictures.map((svg, index) => ({ board: boards[index] ?? "actor", svg }));
       this.next.value = ending.next;
       this.last.value = ending.last;
     });

@@ -1,5 +1,4 @@
 // Exercises in the worker: questions, verdicts and pictures, all of the full core.
-import type { PictureOptions } from "../core.js";
 import { type Core, exercisesOf } from "./cores.js";
 import type { Answer, Seed, Task } from "./protocol.js";
 
@@ -21,18 +20,7 @@ function exerciseOf(core: Core, document: string, seed: Seed): Exercise {
 }
 
 export function asked(core: Core, { document, seed }: Of<"exercise">): Answer {
-  const question = exerciseOf(core, document, seed).question();
-  const plan = question.plan ?? [];
-  const board = question.hide.includes("beliefs") ? "actor" : "all";
-  // Who guesses the goal must not see which it is; what observers believe stands in the captions.
-  const options = {
-    board,
-    captions: board === "all",
-    true_goal: question.kind !== "guess",
-    ended: question.plan !== undefined,
-  } as const;
-  const { picture } = pictureOf(core, JSON.stringify(question.document), plan, options);
-  return { kind: "asked", question, picture };
+  return { kind: "asked", question: exerciseOf(core, document, seed).question() };
 }
 
 export function judged(core: Core, { document, seed, choices, attempts, hints }: Of<"judge">): Answer {
@@ -40,19 +28,17 @@ export function judged(core: Core, { document, seed, choices, attempts, hints }:
   return { kind: "judged", verdict };
 }
 
-export function sketched(core: Core, { document, plan, board }: Of<"sketch">): Answer {
+export function sketched(core: Core, { document, plan, boards, options }: Of<"sketch">): Answer {
   exercisesOf(core);
-  return { kind: "sketched", ...pictureOf(core, document, plan, { board, captions: board === "all", ended: false }) };
-}
-
-function pictureOf(core: Core, document: string, plan: string[], options: PictureOptions) {
   const problem = new core.Problem(document);
   try {
     const last = problem.overview(plan, 1).steps.at(-1) ?? null;
-    const drawn = problem.picture(plan, options);
-    // The description that a picture carries tells what observers believe; the page's own words stand beside it.
-    const picture = drawn.replace(/<desc>[^<]*<\/desc>/, "");
-    return { picture, next: problem.next(plan), last };
+    const pictures = boards.map((board) => {
+      const drawn = problem.picture(plan, { ...options, board, captions: false });
+      // The description that a picture carries tells what observers believe; the page's own words stand beside it.
+      return drawn.replace(/<desc>[^<]*<\/desc>/, "");
+    });
+    return { kind: "sketched", pictures, next: problem.next(plan), last };
   } finally {
     problem.free();
   }

@@ -34,17 +34,16 @@ export type Task =
   | { kind: "explain"; document: string; plan: string[]; goal: string; step: number }
   /** A step of a plan, or all of them, as SVG. */
   | { kind: "picture"; document: string; plan: string[]; options: PictureOptions }
-  /** The question of a document with an exercise, with a picture of what it is about. */
+  /** The question of a document with an exercise. */
   | { kind: "exercise"; document: string; seed: Seed }
   /** What is said of an answer to it. */
   | { kind: "judge"; document: string; seed: Seed; choices: readonly number[]; attempts: number; hints: number }
-  /** A picture of the end of a plan, and what can be done after it. */
-  | { kind: "sketch"; document: string; plan: string[]; board: Board }
+  /** Pictures of the end of a plan, one a board, and what can be done after it. */
+  | { kind: "sketch"; document: string; plan: string[]; boards: readonly Board[]; options: PictureOptions }
   /** Why there is no plan with these options, and which change of one of them would allow one. */
   | { kind: "advise"; document: string; options: SolveOptions };
 
-/** What a picture shows. */
-export type Board = "all" | "actor";
+export type Board = "actor" | "adversarial" | "cooperative";
 
 /** Page to worker. `cancel` names the request it ends; `ahead`: there is time to fetch the full core. */
 export type Message = (Task & { id: number }) | { kind: "cancel"; id: number } | { kind: "ahead" };
@@ -80,9 +79,9 @@ export type Answer =
   | { kind: "explained"; eliminations: Eliminations }
   | { kind: "advised"; advice: Advice }
   | { kind: "drawn"; svg: string }
-  | { kind: "asked"; question: Question; picture: string }
+  | { kind: "asked"; question: Question }
   | { kind: "judged"; verdict: ExerciseVerdict }
-  | { kind: "sketched"; picture: string; next: NextAction[]; last: TraceStep | null }
+  | { kind: "sketched"; pictures: string[]; next: NextAction[]; last: TraceStep | null }
   /** The document, the plan or the options are wrong: `message` is for the person to read. */
   | { kind: "refused"; message: string }
   /** The core panicked or could not be loaded: this worker is of no more use. */
