@@ -230,7 +230,8 @@ export interface Question {
   hints: string[];
   attempts?: number;
   hide: "beliefs"[];
-  lock: boolean;
+  /** Whether all of the problem stays as it is, or which keys of its document. */
+  lock: boolean | string[];
   /** The document of the problem, without the exercise. */
   document: object;
   /** Only where it was asked for. `remarks`: what makes the question trivial. */

@@ -143,16 +143,16 @@ pub struct ImportArgs {
 /// What the plan must achieve.
 #[derive(Debug, Args)]
 pub struct BoundsArgs {
-    /// At least K candidate goals survive for the enemy.
+    /// At least K candidate goals are possible for the enemy at the end.
     #[arg(long, value_name = "K")]
     pub k: Option<usize>,
-    /// At most J candidate goals survive for the friend.
+    /// At most J candidate goals are possible for the friend at the end.
     #[arg(long, value_name = "J")]
     pub j: Option<usize>,
-    /// This goal survives for this observer, as in adversarial:G2. May be given several times.
+    /// This goal is possible for this observer at the end, as in adversarial:G2. May be given several times.
     #[arg(long, value_name = "ROLE:GOAL")]
     pub require: Vec<String>,
-    /// This goal does not survive for this observer. May be given several times.
+    /// This goal is not possible for this observer at the end. May be given several times.
     #[arg(long, value_name = "ROLE:GOAL")]
     pub forbid: Vec<String>,
 }
@@ -200,7 +200,7 @@ pub struct SolveArgs {
     /// What the plan must achieve.
     #[command(flatten)]
     pub bounds: BoundsArgs,
-    /// Every reachable pair of survivor counts with a plan for each, and the Pareto front of them;
+    /// Every reachable pair of counts of possible goals with a plan for each, and the Pareto front of them;
     /// where a limit comes first, those found until then. For exact.
     #[arg(long)]
     pub pairs: bool,

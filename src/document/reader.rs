@@ -130,6 +130,23 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// A text of a few that are known.
+    ///
+    /// # Errors
+    ///
+    /// The value is no text, or none of these.
+    pub fn one_of<'n, T: Copy>(
+        &self,
+        all: &[T],
+        name: impl Fn(T) -> &'n str,
+    ) -> Result<T, DocumentError> {
+        let known = |text: &str| all.iter().copied().find(|&value| name(value) == text);
+        self.text().ok().and_then(known).ok_or_else(|| {
+            let names: Vec<&str> = all.iter().map(|&value| name(value)).collect();
+            self.expected(format!("one of {}", names.join(", ")))
+        })
+    }
+
     /// A whole number in a range.
     ///
     /// # Errors

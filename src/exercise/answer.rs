@@ -107,9 +107,17 @@ impl Form {
             let names: Vec<Value> = names.map(Value::from).collect();
             return self.of_values(&names, &|index| format!("answer[{index}]"));
         }
-        // For what is said of a text that is no JSON.
-        Json::parse(bare)?;
-        let value: Value = serde_json::from_str(bare).unwrap_or_default();
+        // Items with commas between them are a list, as names are.
+        let items =
+            || serde_json::from_str(&format!("[{bare}]")).ok().filter(|_| bare.starts_with('['));
+        let value: Value = match serde_json::from_str(bare) {
+            Ok(value) => value,
+            Err(_) => match items() {
+                Some(list) => list,
+                // For what is said of a text that is no JSON.
+                None => Json::parse(bare).map(|_| Value::default())?,
+            },
+        };
         match (&value, self.arity) {
             (Value::Array(values), Arity::Set | Arity::Sequence) => {
                 self.of_values(values, &|index| format!("answer[{index}]"))
@@ -179,6 +187,9 @@ mod tests {
         let cells =
             Form { arity: Arity::One, choice: "cell", choices: vec![StateLabel::Cell(1, 2)] };
         assert_eq!(cells.read("[1, 2]").unwrap().choices(), [0]);
+        let set = Form { arity: Arity::Set, ..cells.clone() };
+        assert_eq!(set.read("[1, 2], [1, 2]").unwrap().choices(), [0]);
+        assert_eq!(set.read("[[1, 2]]").unwrap().choices(), [0]);
         assert_eq!(cells.to_json(&cells.answer([0]).unwrap()).to_string(), "[1,2]");
     }
 

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::kind::Kind;
 use crate::document::DocumentError;
 use crate::document::json::Json;
-use crate::document::reader::Reader;
+use crate::document::reader::{Fields, Reader};
 use crate::domain::EXERCISE;
 
 /// The most attempts that can be asked for.
@@ -66,6 +66,34 @@ impl Hidden {
     }
 }
 
+/// What of the problem stays as the exercise has it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
+pub enum Lock {
+    /// All of it (`true`), or none (`false`): then it may be opened without the question.
+    Whole(bool),
+    /// It may be opened without the question, and these keys of its document stay as they are.
+    Keys(Vec<String>),
+}
+
+impl Lock {
+    fn read(lock: &Reader<'_>, document: &Fields<'_>) -> Result<Self, DocumentError> {
+        if let Ok(whole) = lock.boolean() {
+            return Ok(Self::Whole(whole));
+        }
+        if !matches!(lock.value(), Json::Array(_)) {
+            return Err(lock.expected("true, false or a list of keys of the document"));
+        }
+        let names: Vec<&str> = document
+            .all()
+            .map(|(name, _)| name)
+            .filter(|name| !["format", EXERCISE].contains(name))
+            .collect();
+        let keys = listed(&lock.list(|item| Ok(item.clone()))?, &names, |name| name)?;
+        Ok(Self::Keys(keys.into_iter().map(str::to_owned).collect()))
+    }
+}
+
 /// An exercise as its document has it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Block {
@@ -81,8 +109,8 @@ pub(super) struct Block {
     pub(super) attempts: Option<u32>,
     /// What is not shown; what would give the answer away when left out.
     pub(super) hide: Option<Vec<Hidden>>,
-    /// Whether the problem can be edited while the question stands.
-    pub(super) lock: bool,
+    /// What stays as it is.
+    pub(super) lock: Lock,
     /// What differs from variant to variant.
     pub(super) vary: Vec<Vary>,
 }
@@ -106,10 +134,10 @@ impl Block {
     pub(super) fn read(text: &str) -> Result<Option<Self>, DocumentError> {
         let json = Json::parse(text)?;
         let entries = Reader::new(&json).entries()?;
-        entries.optional(EXERCISE).map(|block| Self::of(&block)).transpose()
+        entries.optional(EXERCISE).map(|block| Self::of(&block, &entries)).transpose()
     }
 
-    fn of(block: &Reader<'_>) -> Result<Self, DocumentError> {
+    fn of(block: &Reader<'_>, document: &Fields<'_>) -> Result<Self, DocumentError> {
         let entries = block.entries()?;
         let kind = Kind::read(&entries)?;
         let known = [&KEYS[..], Kind::keys(kind.name())].concat();
@@ -137,7 +165,8 @@ impl Block {
             hints.push(hint.text()?.to_owned());
         }
         let attempts = fields.optional("attempts").map(|reader| reader.integer(1..=MAX_ATTEMPTS));
-        let lock = fields.optional("lock").map(|reader| reader.boolean()).transpose()?;
+        let lock =
+            fields.optional("lock").map(|reader| Lock::read(&reader, document)).transpose()?;
         Ok(Self {
             kind,
             title: text("title")?,
@@ -148,24 +177,21 @@ impl Block {
                 .optional("hide")
                 .map(|_| listed(&list("hide", Hidden::ALL.len())?, &Hidden::ALL, Hidden::name))
                 .transpose()?,
-            lock: lock.unwrap_or(true),
+            lock: lock.unwrap_or(Lock::Whole(true)),
             vary: listed(&list("vary", Vary::ALL.len())?, &Vary::ALL, Vary::name)?,
         })
     }
 }
 
 /// Names out of a few, each at most once.
-fn listed<T: Copy + PartialEq>(
+fn listed<'n, T: Copy + PartialEq>(
     items: &[Reader<'_>],
     all: &[T],
-    name: impl Fn(T) -> &'static str,
+    name: impl Fn(T) -> &'n str,
 ) -> Result<Vec<T>, DocumentError> {
     let mut found = Vec::with_capacity(items.len());
     for item in items {
-        let names = || all.iter().map(|&value| name(value)).collect::<Vec<_>>().join(", ");
-        let known =
-            item.text().ok().and_then(|text| all.iter().copied().find(|&v| name(v) == text));
-        let value = known.ok_or_else(|| item.expected(format!("one of {}", names())))?;
+        let value = item.one_of(all, &name)?;
         if found.contains(&value) {
             let twice = format!("{} for the second time", name(value));
             return Err(DocumentError::invalid(item.path(), twice, "each name once"));

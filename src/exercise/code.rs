@@ -45,7 +45,6 @@ static ENCODING: LazyLock<Option<Encoding>> = LazyLock::new(|| {
             specification.translate.to.push(read_as(sign));
         }
     }
-    specification.ignore.push_str("- ");
     specification.encoding().ok()
 });
 
@@ -177,7 +176,18 @@ pub(super) fn write(digest: &Digest, seed: u64, answer: &Answer, tally: Tally) -
 
 /// A code as it is compared: without what stands between its signs, each sign as it is read.
 pub fn canonical(code: &str) -> String {
-    code.chars().filter(char::is_ascii_alphanumeric).map(read_as).collect()
+    code.chars().filter(|&sign| !is_between(sign)).map(read_as).collect()
+}
+
+/// Whether a sign may stand anywhere in a code: blanks, and the dashes and invisible signs that text processors put there.
+fn is_between(sign: char) -> bool {
+    sign.is_whitespace()
+        || matches!(
+            sign,
+            '-' | '\u{ad}' | '\u{2010}'
+                ..='\u{2015}' | '\u{2212}' | '\u{fe58}' | '\u{fe63}' | '\u{ff0d}'
+        )
+        || matches!(sign, '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}')
 }
 
 /// Small letters are large ones, and letters that look like digits are those.
@@ -191,16 +201,16 @@ fn read_as(sign: char) -> char {
 
 /// Reads a code.
 pub(super) fn read(digest: &Digest, code: &str, seed: Option<u64>) -> Result<Read, CodeError> {
-    let code: String =
-        code.chars().filter(|sign| !sign.is_whitespace()).take(MAX_SIGNS + 1).collect();
-    if code.len() > MAX_SIGNS {
+    let signs: String =
+        code.chars().filter(|&sign| !is_between(sign)).take(MAX_SIGNS + 1).collect();
+    let bytes_of = |signs: usize| signs * 5 / 8;
+    let fits = (1 + DIGEST + 3 + CHECKSUM..=bytes_of(MAX_SIGNS)).contains(&bytes_of(signs.len()));
+    if !fits || !signs.chars().all(|sign| SIGNS.contains(read_as(sign))) {
         return Err(CodeError::NoCode);
     }
     let encoding = ENCODING.as_ref().ok_or(CodeError::NoCode)?;
-    let bytes = encoding.decode(code.as_bytes()).map_err(|_| CodeError::NoCode)?;
-    if bytes.len() < 1 + DIGEST + 3 + CHECKSUM {
-        return Err(CodeError::NoCode);
-    }
+    // A last sign too many, or one that no code ends in.
+    let bytes = encoding.decode(signs.as_bytes()).map_err(|_| CodeError::Edited)?;
     let (payload, sum) = bytes.split_at(bytes.len() - CHECKSUM);
     if checksum(payload) != sum {
         return Err(CodeError::Edited);
@@ -247,7 +257,7 @@ mod tests {
     fn the_signs_are_those_of_crockford() {
         let encoding = ENCODING.as_ref().unwrap();
         assert_eq!(encoding.encode(&[0xff, 0x00, 0xff, 0x00, 0xff]), "ZW0FY07Z");
-        assert_eq!(encoding.decode(b"zw-0fy 07z").unwrap(), [0xff, 0x00, 0xff, 0x00, 0xff]);
+        assert_eq!(encoding.decode(b"zw0fy07z").unwrap(), [0xff, 0x00, 0xff, 0x00, 0xff]);
         assert_eq!(encoding.decode(b"ZWOFYO7Z").unwrap(), [0xff, 0x00, 0xff, 0x00, 0xff]);
         assert!(encoding.decode(b"U").is_err());
     }

@@ -33,7 +33,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 pub use answer::{Answer, Arity, Form, MAX_ANSWER, MAX_CHOICES};
-pub use block::{Hidden, Vary};
+pub use block::{Hidden, Lock, Vary};
 pub use code::{CodeError, Tally};
 pub use variant::{Variant, seed_of};
 pub use verdict::{Counterexample, Finding, Verdict};
@@ -190,9 +190,9 @@ impl Exercise {
         self.block.hidden()
     }
 
-    /// Whether the problem stays as it is while the question stands.
-    pub fn is_locked(&self) -> bool {
-        self.block.lock
+    /// What of the problem stays as it is.
+    pub fn lock(&self) -> &Lock {
+        &self.block.lock
     }
 
     /// What differs from variant to variant.

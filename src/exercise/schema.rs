@@ -34,7 +34,10 @@ fn of_kind(kind: &str) -> Value {
         ("hints".to_owned(), json!({"type": "array", "items": text, "maxItems": 20})),
         ("attempts".to_owned(), json!({"type": "integer", "minimum": 1, "maximum": 99})),
         ("hide".to_owned(), names(Hidden::ALL.map(Hidden::name).to_vec())),
-        ("lock".to_owned(), json!({"type": "boolean"})),
+        (
+            "lock".to_owned(),
+            json!({"oneOf": [{"type": "boolean"}, {"type": "array", "items": {"type": "string"}, "uniqueItems": true}]}),
+        ),
         ("vary".to_owned(), names(Vary::ALL.map(Vary::name).to_vec())),
     ]);
     let keys = Kind::keys(kind);

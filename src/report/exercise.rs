@@ -5,7 +5,8 @@ use serde_json::Value;
 
 use crate::domain::Document;
 use crate::exercise::{
-    Answer, Counterexample, Difficulty, Exercise, Finding, Form, Hidden, Tally, Variant, Verdict,
+    Answer, Counterexample, Difficulty, Exercise, Finding, Form, Hidden, Lock, Tally, Variant,
+    Verdict,
 };
 
 /// The question of a seed: `exercise show --json`.
@@ -45,7 +46,7 @@ pub struct ExerciseReport {
     /// What is not shown.
     pub hide: Vec<Hidden>,
     /// Whether the problem stays as it is while the question stands.
-    pub lock: bool,
+    pub lock: Lock,
     /// The document of the problem, without the exercise.
     pub document: Document,
     /// A right answer, where it is asked for.
@@ -109,7 +110,7 @@ impl ExerciseReport {
             hints: exercise.hints().to_vec(),
             attempts: exercise.attempts(),
             hide: exercise.hidden(),
-            lock: exercise.is_locked(),
+            lock: exercise.lock().clone(),
             document: variant.document().clone(),
             solution: None,
         }

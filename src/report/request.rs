@@ -50,9 +50,9 @@ pub fn read_request(text: &str, problem: &Problem) -> Result<Request, DocumentEr
     let json = Json::parse(text)?;
     let fields = Reader::new(&json).fields(&KEYS)?;
     let solver = fields.required("solver", &Solver::ALL.map(Solver::name).join(", "))?;
-    let mut options = Options::new(one_of(&solver, &Solver::ALL, Solver::name)?);
+    let mut options = Options::new(solver.one_of(&Solver::ALL, Solver::name)?);
     if let Some(encoding) = fields.optional("encoding") {
-        options.encoding = one_of(&encoding, &Encoding::ALL, Encoding::name)?;
+        options.encoding = encoding.one_of(&Encoding::ALL, Encoding::name)?;
     }
     if let Some(horizon) = fields.optional("horizon") {
         options.horizon = match horizon.value() {
@@ -91,21 +91,6 @@ pub fn read_request(text: &str, problem: &Problem) -> Result<Request, DocumentEr
         DocumentError::invalid(option, found, expected)
     })?;
     Ok(Request { options, old_names })
-}
-
-fn one_of<T: Copy>(
-    reader: &Reader<'_>,
-    all: &[T],
-    name: impl Fn(T) -> &'static str,
-) -> Result<T, DocumentError> {
-    let found = match reader.value() {
-        Json::Text(text) => all.iter().find(|&&value| name(value) == &**text),
-        _ => None,
-    };
-    found.copied().ok_or_else(|| {
-        let names: Vec<&str> = all.iter().map(|&value| name(value)).collect();
-        reader.expected(format!("one of {}", names.join(", ")))
-    })
 }
 
 fn steps(reader: &Reader<'_>) -> Result<usize, DocumentError> {

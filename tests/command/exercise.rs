@@ -191,12 +191,48 @@ fn a_table_without_codes_is_refused_with_its_line() {
         (ran.code, &ran.err[..]),
         (2, "mo-copp: -:1:1: found \"name,answer\", expected a column code\n")
     );
-    let ran = graded("seed", "code,seed\nX,7\nY,seven\n", &[]);
-    assert_eq!(
-        (ran.code, &ran.err[..]),
-        (2, "mo-copp: -:3:1: found the seed \"seven\", expected a whole number or nothing\n")
-    );
     let ran = graded("column", "code,seed\nX,7\n", &["--student", "name"]);
     assert_eq!(ran.code, 2);
     assert!(ran.err.contains("expected a column name"), "{}", ran.err);
+}
+
+#[test]
+fn one_broken_row_leaves_the_others_their_marks() {
+    let right = code("7", None);
+    let dashes = right.replace('-', "\u{2013}\u{200b}");
+    let mut end = right.clone();
+    let last = end.pop().unwrap();
+    end.push(if last == 'Z' { 'Y' } else { 'Z' });
+    let table = format!(
+        "name;code;seed\nAda;{right};7\nMüller;{right};seven\nBob\nCleo;Anna;{right};7\n\nDan;{dashes};7\nEve;{end};7\n"
+    );
+    let exercise = file("broken-rows.json", &text(GOALS));
+    // Latin 1 has no dashes but one.
+    let latin = table.replace('\u{2013}', "-").replace('\u{200b}', "");
+    let latin = latin.chars().map(|sign| u8::try_from(u32::from(sign)).unwrap()).collect();
+    for bytes in [table.into_bytes(), latin] {
+        let codes = exercise.with_file_name("broken-rows.csv");
+        std::fs::write(&codes, bytes).unwrap();
+        let ran = mo_copp("", &["grade", exercise.to_str().unwrap(), codes.to_str().unwrap()]);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let mut reader = csv::ReaderBuilder::new().delimiter(b';').from_reader(ran.out.as_bytes());
+        let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+        let said: Vec<(&str, &str, &str)> =
+            rows.iter().map(|row| (&row[0], &row[3], &row[4])).collect();
+        assert_eq!(
+            said,
+            [
+                ("Ada", "1", ""),
+                (
+                    "Müller",
+                    "0",
+                    "found the seed \"seven\", expected a whole number or nothing; the same code as in line 2"
+                ),
+                ("Bob", "0", "the row has 1 field, expected 3"),
+                ("Cleo", "0", "the row has 4 fields, expected 3"),
+                ("Dan", "1", "the same code as in line 2"),
+                ("Eve", "0", "the code was edited or is not complete"),
+            ]
+        );
+    }
 }

@@ -1,7 +1,7 @@
 //! The block `exercise` of a document: what is read, what is refused and with which words.
 
 use mo_copp::domain::Document;
-use mo_copp::exercise::{Exercise, Hidden};
+use mo_copp::exercise::{Exercise, Hidden, Lock};
 use serde_json::{Value, json};
 
 use super::text;
@@ -154,5 +154,26 @@ fn where_the_true_goal_is_to_be_guessed_the_pddl_does_not_tell_it() {
     assert_eq!(
         Exercise::parse(&document.to_string()).unwrap_err().to_string(),
         "problem: found the :goal of the true goal, expected no :goal, where the true goal is to be guessed or varies"
+    );
+}
+
+#[test]
+fn a_lock_is_all_nothing_or_keys_of_the_document() {
+    let lock =
+        |value: Value| Exercise::parse(&changed(GOALS, "lock", value)).unwrap().lock().clone();
+    assert_eq!(lock(Value::Null), Lock::Whole(true));
+    assert_eq!(lock(json!(false)), Lock::Whole(false));
+    assert_eq!(lock(json!(["walls", "start"])), Lock::Keys(vec!["walls".into(), "start".into()]));
+    let refused = |value: Value| refused(GOALS, "lock", value);
+    assert_eq!(
+        refused(json!("walls")),
+        "exercise.lock: found \"walls\", expected true, false or a list of keys of the document"
+    );
+    let found = refused(json!(["walls", "format"]));
+    assert!(found.starts_with("exercise.lock[1]: found \"format\", expected one of "), "{found}");
+    assert!(!found.ends_with("exercise") && found.contains("true_goal"), "{found}");
+    assert_eq!(
+        refused(json!(["walls", "walls"])),
+        "exercise.lock[1]: found walls for the second time, expected each name once"
     );
 }

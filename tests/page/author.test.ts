@@ -1,10 +1,12 @@
 // The tab that makes an exercise of the open problem: tried as a student, as a link, as code.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
+import type { GridworldDocument } from "../../www/src/problem/types.js";
 import { assertNoBarrier } from "./support/barriers.js";
 import { grid } from "./support/documents.js";
 import { opened } from "./support/opened.js";
-import { press, slider } from "./support/playground.js";
+import { openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
 
 test("an exercise is made of the steps shown, tried, and edited again", () =>
   opened({ document: grid(), tab: "Exercise" }, async (page) => {
@@ -52,10 +54,46 @@ test("the link opens the question, and the code holds the document", () =>
     const code = await page.evaluate(() => navigator.clipboard.readText());
     const [, document = ""] = /<script type="application\/json">\n([\s\S]*?)\n<\/script>/.exec(code) ?? [];
     assert.deepEqual(JSON.parse(document).exercise, { kind: "best" });
+    assert.match(code, /<script type="module" src="mo-copp\/mo-copp-playground.js"><\/script>/);
     await press(page, "Copy a link");
     await page.waitForFunction(async () => (await navigator.clipboard.readText()).startsWith("http"));
     const link = await page.evaluate(() => navigator.clipboard.readText());
     await page.goto("about:blank");
     await page.goto(link);
     await page.locator('.exercise[data-kind="best"]').waitFor();
+  }));
+
+test("parts stay locked where the problem may be opened without the question", () =>
+  opened({ document: grid(), tab: "Exercise" }, async (page) => {
+    await page.getByLabel("Kind of question").selectOption("best");
+    await page.getByLabel("Lock: the problem cannot be opened").uncheck();
+    const locked = page.getByRole("group", { name: /Locked all the same/ });
+    await locked.getByLabel("walls").check();
+    await locked.getByLabel("width").check();
+    await assertNoBarrier(page, "parts that stay locked");
+    await press(page, "Try it as a student");
+    await press(page, "Open the problem in the playground");
+    await page.locator("[data-board=actor]").waitFor();
+    await openTab(page, "Edit");
+    const change = async (field: string, value: string) => {
+      await page.getByLabel(field, { exact: true }).fill(value);
+      await page.getByLabel(field, { exact: true }).press("Enter");
+    };
+    const documentOf = () =>
+      page.locator("mo-copp-playground").evaluate((element) => (element as MoCoppPlayground).document);
+    const before = (await documentOf()) as GridworldDocument;
+    await change("Columns", "5");
+    await page.getByText("“width” stays as the exercise has it: this part of the problem is locked.").first().waitFor();
+    assert.deepEqual(await documentOf(), before);
+    await change("Rows", String(Number(before.height) + 1));
+    const rows = async () => ((await documentOf()) as GridworldDocument).height;
+    while ((await rows()) !== before.height + 1) await page.waitForTimeout(20);
+    // As text, too; what is not locked may be rewritten, and the lock stays.
+    await useDocument(page, JSON.stringify({ ...before, walls: [[0, 1]] }));
+    await page.getByText("“walls” stays as the exercise has it: this part of the problem is locked.").first().waitFor();
+    await useDocument(page, JSON.stringify(before));
+    await statusIs(page, "optimal");
+    await useDocument(page, JSON.stringify({ ...before, walls: [[0, 1]] }));
+    await page.getByText("“walls” stays as the exercise has it: this part of the problem is locked.").first().waitFor();
+    assert.deepEqual(await documentOf(), before);
   }));

@@ -1,6 +1,7 @@
 //! `mo-copp exercise`: shows an exercise or a variant of it, and checks an answer.
 
 pub mod args;
+mod code_table;
 pub mod grade;
 
 use std::fmt::Write;

@@ -17,7 +17,7 @@ use super::subject::Subject;
 use super::verdict::Verdict;
 use super::{Difficulty, Unfit};
 use crate::document::DocumentError;
-use crate::document::reader::{Fields, Reader};
+use crate::document::reader::Fields;
 use crate::problem::Problem;
 
 pub(super) use watching::Watching;
@@ -159,16 +159,4 @@ impl Kind {
             _ => Ok(()),
         }
     }
-}
-
-/// A text of a few that are known.
-fn one_of<T: Copy>(
-    reader: &Reader<'_>,
-    all: &[T],
-    name: impl Fn(T) -> &'static str,
-) -> Result<T, DocumentError> {
-    let found =
-        reader.text().ok().and_then(|text| all.iter().copied().find(|&value| name(value) == text));
-    let names: Vec<&str> = all.iter().map(|&value| name(value)).collect();
-    found.ok_or_else(|| reader.expected(format!("one of {}", names.join(", "))))
 }

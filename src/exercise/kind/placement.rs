@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Question, Solved, Watching, one_of};
+use super::{Question, Solved, Watching};
 use crate::document::DocumentError;
 use crate::document::reader::Fields;
 use crate::exercise::answer::{Answer, Arity, Form, MAX_CHOICES};
@@ -58,7 +58,7 @@ impl Placement {
         let place = fields.required("place", "camera, wall or start")?;
         Ok(Self {
             watching: Watching::read(fields)?,
-            place: one_of(&place, &Place::ALL, Place::name)?,
+            place: place.one_of(&Place::ALL, Place::name)?,
             goal: fields.required("goal", "the name of a goal")?.text()?.to_owned(),
             possible: fields.required("possible", "true or false")?.boolean()?,
         })

@@ -26,8 +26,7 @@ impl Watching {
     /// Reads `observer` and `plan`.
     pub(super) fn read(fields: &Fields<'_>) -> Result<Self, DocumentError> {
         let observer = fields.required("observer", "adversarial or cooperative")?;
-        let observer =
-            super::one_of(&observer, &["adversarial", "cooperative"], |name| name)?.to_owned();
+        let observer = observer.one_of(&["adversarial", "cooperative"], |name| name)?.to_owned();
         let plan = fields.required("plan", "a list of actions")?;
         let actions = plan.list(|action: &Reader<'_>| action.text().map(str::to_owned))?;
         if actions.len() > MAX_STEPS {

@@ -50,6 +50,7 @@ export function authorPanel(playground: AuthorPanelStores): TemplateResult {
     ${area("Hints, one a line", fields.hints, (hints) => draft.edit({ hints }))}
     ${text("Attempts (empty: any number)", fields.attempts, (attempts) => draft.edit({ attempts }))}
     ${check("Lock: the problem cannot be opened without the question", fields.lock, (lock) => draft.edit({ lock }))}
+    ${fields.lock ? nothing : lockedKeys(playground, fields)}
     ${check("Hide what the observers believe", hidesBeliefs(fields), (hide) => draft.edit({ hidesBeliefs: hide }))}
     <fieldset><legend>Other for each student</legend>
       ${variable
@@ -62,6 +63,18 @@ export function authorPanel(playground: AuthorPanelStores): TemplateResult {
     </fieldset>
     ${handOut(playground)}
   </div>`;
+}
+
+/** Parts of the problem that stay as they are when it is opened without the question. */
+function lockedKeys({ problem, exerciseDraft: draft }: AuthorPanelStores, fields: DraftFields): TemplateResult {
+  const keys = Object.keys(problem.document.value?.value ?? {}).filter((key) => key !== "format" && key !== "exercise");
+  return html`<fieldset><legend>Locked all the same, by their keys in the document</legend>
+    ${keys.map((key) =>
+      check(key.replaceAll("_", " "), fields.lockedKeys.includes(key), (on) =>
+        draft.edit({ lockedKeys: toggled(fields.lockedKeys, key, on) }),
+      ),
+    )}
+  </fieldset>`;
 }
 
 function aboutWalk({ timeline, exerciseDraft: draft }: AuthorPanelStores, { observer }: DraftFields): TemplateResult {

@@ -72,6 +72,14 @@ async function copyText({ exerciseDraft: draft }: AuthorPanelStores, text: strin
   draft.shown.value = draft.copier.said.value === "refused" ? text : "";
 }
 
-/** The element with the document in it. `<` would end the script. */
-const codeOf = (document: string): string =>
-  `<mo-copp-playground link="off" name="answer" student="">\n<script type="application/json">\n${document.replaceAll("<", "\\u003c")}\n</script>\n</mo-copp-playground>\n`;
+/** The element's script and the element with the document in it. `<` would end a script. */
+const codeOf = (
+  document: string,
+): string => `<!-- The folder mo-copp is the folder dist of a release, beside the page. -->
+<script type="module" src="mo-copp/mo-copp-playground.js"></script>
+${"vary" in JSON.parse(document).exercise ? '<!-- seed="7" or student="NAME" in the next line: the variant of a number or a name. -->\n' : ""}<mo-copp-playground link="off" name="answer">
+<script type="application/json">
+${document.replaceAll("<", "\\u003c")}
+</script>
+</mo-copp-playground>
+`;

@@ -24,8 +24,9 @@ export function attempt(playground: FieldStores, field: string, edited: Edited, 
     editing,
     problem: { latest },
   } = playground;
-  if (typeof edited === "string") {
-    editing.fault.value = { field, text, message: edited, document: latest };
+  const refused = typeof edited === "string" ? edited : playground.edits.forbids(edited);
+  if (typeof edited === "string" || refused !== null) {
+    editing.fault.value = { field, text, message: refused ?? "", document: latest };
     return false;
   }
   editing.fault.value = null;

@@ -29,8 +29,8 @@ slot.poster { display: contents; }
  * @attr {string} plan - The title of one of that problem's plans, or actions separated by commas.
  * @attr {number} step - The step to begin with.
  * @attr {"exact"|"ip"|"search"|"baseline"|"obfuscate"|"legible"} solver - The solver.
- * @attr {number} k - At least so many goals survive for the enemy.
- * @attr {number} j - At most so many goals survive for the friend.
+ * @attr {number} k - At least so many goals are possible for the enemy at the end.
+ * @attr {number} j - At most so many goals are possible for the friend at the end.
  * @attr {string} horizon - Plans of so many actions; `any` for all lengths.
  * @attr {string} hide - Parts to leave out, separated by spaces.
  * @attr {string} exercise - The block of an exercise as JSON, for a problem whose document has none.

@@ -14,7 +14,7 @@ import { problemInWords } from "./problem-in-words.js";
 export interface ExerciseViewStores {
   exercise: Exercise;
   exerciseDraft: Pick<ExerciseDraft, "tried">;
-  edits: Pick<Edits, "open">;
+  edits: Pick<Edits, "leaveExercise">;
 }
 
 export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewStores): TemplateResult {
@@ -50,9 +50,9 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
           }}>Back to editing</button></p>`
     }
     ${
-      question.lock
+      question.lock === true
         ? nothing
-        : html`<p><button type="button" @click=${() => void edits.open(exercise.leave())}>Open the problem in the playground</button></p>`
+        : html`<p><button type="button" @click=${() => void edits.leaveExercise(question.lock)}>Open the problem in the playground</button></p>`
     }
   </section>`;
 }

@@ -95,9 +95,9 @@ export const entries: readonly Entry[] = [
   },
   {
     name: "parity",
-    title: "Parity kills decoys",
+    title: "Parity rules out decoys",
     about:
-      "Each move changes the colour of the cell, as on a chessboard: goals of the wrong colour die. GD is at most 0.5, whatever the plan.",
+      "Each move changes the colour of the cell, as on a chessboard: goals of the wrong colour are ruled out. GD is at most 0.5, whatever the plan.",
   },
   {
     name: "stay-and-wait",

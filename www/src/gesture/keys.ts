@@ -169,6 +169,8 @@ function make({ playground, board, document, cell }: Here, edited: FloorDocument
   if (playground.editing.drag.value !== null) return "put down first what you carry.";
   if (typeof edited === "string") return edited;
   if (edited === document) return `that can’t be here. ${cellInWords(document, board, cell)}`;
+  const refused = playground.edits.forbids(edited);
+  if (refused !== null) return refused;
   playground.edits.apply(edited);
   return cellInWords(edited, board, cell);
 }

@@ -11,9 +11,9 @@ import type { Solving } from "./solving.js";
 
 interface Stores {
   problem: OpenProblem;
-  answer: Pick<Answer, "ran">;
+  answer: Pick<Answer, "error" | "ran">;
   editing: Pick<Editing, "drag">;
-  exercise: Pick<Exercise, "close" | "open" | "stopOpening" | "textOf">;
+  exercise: Pick<Exercise, "close" | "leave" | "open" | "stopOpening" | "textOf">;
   form: Signal<Form>;
   solving: Pick<Solving, "clear" | "follow" | "open" | "refuse">;
 }
@@ -27,19 +27,22 @@ export class Edits {
   /**
    * Opens a document and solves it: exactly, or with the solver chosen. One that can't be read leaves everything as it
    * was. `at`: a problem that was not seen yet begins at its first step. A document with an exercise is asked and not
-   * solved.
+   * solved. `locked`: keys of the document that no edit may change.
    */
   async open(
     text: string,
     form: Partial<Form> = {},
     solver: "exact" | "chosen" = "exact",
     at: "first" | "end" = "end",
+    locked: readonly string[] = [],
   ): Promise<boolean> {
     const { problem, answer, editing, form: asked, solving, exercise } = this.stores;
     const question = exercise.textOf(text);
     if (question !== null) {
       const refused = await exercise.open(question);
       if (refused !== null) solving.refuse(refused);
+      // What was said of another document is over.
+      else answer.error.value = null;
       return refused === null;
     }
     // A question on its way would come over it; the one that is open stays until there is something else.
@@ -64,6 +67,7 @@ export class Edits {
     await solving.open(document, options, exact, at);
     if (problem.document.value === document) {
       problem.origin.value = document;
+      problem.locked.value = locked;
       exercise.close();
     }
     if (problem.opening.value === text) problem.opening.value = null;
@@ -77,8 +81,39 @@ export class Edits {
     return true;
   }
 
+  /** Opens the problem of the exercise that is asked without its question. */
+  async leaveExercise(lock: boolean | readonly string[]): Promise<void> {
+    await this.open(this.stores.exercise.leave(), {}, "exact", "end", typeof lock === "boolean" ? [] : lock);
+  }
+
+  /** Opens a text that was written in place of the open problem's: what is locked stays as it was. */
+  async rewrite(text: string): Promise<boolean> {
+    const { problem, solving } = this.stores;
+    const refused = this.forbids(documentIn(text));
+    if (refused === null) return this.open(text, {}, "exact", "end", problem.locked.value);
+    solving.refuse(refused);
+    return false;
+  }
+
+  /** Why an edit may not be made; null where it may. */
+  forbids(value: object): string | null {
+    const { problem } = this.stores;
+    const before = (this.before ?? problem.newest)?.value ?? {};
+    const changed = problem.locked.value.find(
+      (key) => JSON.stringify(part(before, key)) !== JSON.stringify(part(value, key)),
+    );
+    return changed === undefined
+      ? null
+      : `“${changed}” stays as the exercise has it: this part of the problem is locked.`;
+  }
+
   /** Shows an edit with its best plan while it is being made: while something is dragged, say. */
   preview(value: ProblemDocument): void {
+    const refused = this.forbids(value);
+    if (refused !== null) {
+      this.stores.solving.refuse(refused);
+      return;
+    }
     this.before ??= this.stores.problem.newest;
     this.follow({ value, text: written(value) });
   }
@@ -129,6 +164,8 @@ export class Edits {
     this.stores.solving.follow(document);
   }
 }
+
+const part = (document: object, key: string): unknown => (document as Record<string, unknown>)[key] ?? null;
 
 function documentIn(text: string): ProblemDocument {
   try {

@@ -24,6 +24,8 @@ export interface DraftFields {
   /** Null: where it would give the answer away. */
   hidesBeliefs: boolean | null;
   lock: boolean;
+  /** Keys of the document that stay as they are where the problem may be opened. */
+  lockedKeys: readonly string[];
   vary: readonly string[];
 }
 
@@ -42,6 +44,7 @@ const empty: DraftFields = {
   attempts: "",
   hidesBeliefs: null,
   lock: true,
+  lockedKeys: [],
   vary: [],
 };
 
@@ -69,7 +72,7 @@ export class ExerciseDraft {
 
   /** The block; `plan` is the walk shown, `goal` a goal to ask about where none is chosen. */
   block(plan: readonly string[], goal: string): object {
-    const { kind, title, introduction, hints, attempts, lock, vary, ...rest } = this.fields.value;
+    const { kind, title, introduction, hints, attempts, lock, lockedKeys, vary, ...rest } = this.fields.value;
     const lines = hints.split("\n").map((line) => line.trim());
     return {
       kind,
@@ -88,7 +91,7 @@ export class ExerciseDraft {
       ...(hidesBeliefs(this.fields.value) === asksAboutWalk(kind)
         ? {}
         : { hide: asksAboutWalk(kind) ? [] : ["beliefs"] }),
-      ...(lock ? {} : { lock }),
+      ...(lock ? {} : { lock: lockedKeys.length === 0 ? false : lockedKeys }),
       ...(vary.length === 0 ? {} : { vary: vary.filter((name) => name !== "plan" || asksAboutWalk(kind)) }),
     };
   }
@@ -97,6 +100,7 @@ export class ExerciseDraft {
 /** What is no number goes to the core as it was typed: it has the words for it. */
 function numberAs(key: string, text: string): object {
   if (text.trim() === "") return {};
-  const number = Number(text);
+  // A decimal comma is one.
+  const number = Number(text.trim().replace(/^(\d+),(\d+)$/, "$1.$2"));
   return { [key]: Number.isFinite(number) ? number : text };
 }

@@ -18,6 +18,8 @@ export class OpenProblem {
   readonly origin = signal<OpenDocument | null>(null);
   /** The text of a document that is being opened: it is shown before it is solved. */
   readonly opening = signal<string | null>(null);
+  /** Keys of the document that no edit may change, as its exercise has it. */
+  readonly locked = signal<readonly string[]>([]);
   readonly history = new History<OpenDocument>();
   readonly canReset: ReadonlySignal<boolean> = computed(() => {
     const text = this.document.value?.text;

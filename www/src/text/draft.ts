@@ -105,7 +105,7 @@ export class Draft {
   async use(words: (fault: Fault) => string): Promise<void> {
     const text = this.text.value;
     this.refused = undefined;
-    if (!(await this.playground.edits.open(text))) {
+    if (!(await this.playground.edits.rewrite(text))) {
       const { error } = this.playground.answer;
       const fault = await this.faultOf(text);
       if (fault !== null && error.peek() === fault.message) error.value = words(fault);

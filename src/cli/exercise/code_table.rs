@@ -1,0 +1,193 @@
+//! Tables of answer codes, as spreadsheets and course systems save them: their encoding, their separator, their columns.
+
+use std::borrow::Cow;
+
+use encoding_rs::{Encoding, UTF_8, WINDOWS_1252};
+
+/// What may stand between two fields.
+const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
+
+/// A table whose first line names its columns, one of which is `code`.
+#[derive(Debug)]
+pub struct CodeTable {
+    /// The sign between two fields.
+    pub separator: u8,
+    /// The names of the columns.
+    pub head: Vec<String>,
+    /// The rows.
+    pub rows: Vec<Row>,
+    code: usize,
+    seed: Option<usize>,
+}
+
+/// A row of the table.
+#[derive(Debug)]
+pub struct Row {
+    /// The line at which it begins.
+    pub line: u64,
+    /// A field for each column.
+    pub fields: Vec<String>,
+    /// Why its fields cannot be told to columns.
+    pub broken: Option<String>,
+}
+
+impl CodeTable {
+    /// Reads a table.
+    ///
+    /// # Errors
+    ///
+    /// The line and what is wrong with it, where no column is called `code`.
+    pub fn read(bytes: &[u8]) -> Result<Self, (u64, String)> {
+        let text = decode(bytes);
+        let mut wrong = None;
+        for separator in SEPARATORS {
+            let mut reader = csv::ReaderBuilder::new()
+                .delimiter(separator)
+                .flexible(true)
+                .from_reader(text.as_bytes());
+            let broken = |error: csv::Error| {
+                (error.position().map_or(1, csv::Position::line), error.to_string())
+            };
+            let head: Vec<String> =
+                reader.headers().map_err(broken)?.iter().map(str::to_owned).collect();
+            let Some(code) = column(&head, "code") else {
+                // What is said is how the table looks with the separator that it is most likely to have.
+                let most = wrong.as_ref().is_none_or(|seen: &Vec<String>| head.len() > seen.len());
+                wrong = if most { Some(head) } else { wrong };
+                continue;
+            };
+            let seed = column(&head, "seed");
+            let mut rows = Vec::new();
+            for record in reader.records() {
+                rows.push(row(&record.map_err(broken)?, &head, code, separator));
+            }
+            return Ok(Self { separator, head, rows, code, seed });
+        }
+        let found = wrong.unwrap_or_default().join(",");
+        Err((1, format!("found {found:?}, expected a column code")))
+    }
+
+    /// The column of a name.
+    ///
+    /// # Errors
+    ///
+    /// The first line, where no column has the name.
+    pub fn column(&self, name: &str) -> Result<usize, (u64, String)> {
+        let missing = || (1, format!("found {:?}, expected a column {name}", self.head.join(",")));
+        column(&self.head, name).ok_or_else(missing)
+    }
+
+    /// The code of a row.
+    pub fn code<'a>(&self, row: &'a Row) -> &'a str {
+        &row.fields[self.code]
+    }
+
+    /// The seed in a row, where it has one.
+    ///
+    /// # Errors
+    ///
+    /// What was found in place of a number.
+    pub fn seed(&self, row: &Row) -> Result<Option<u64>, String> {
+        let text = self.seed.map_or("", |column| row.fields[column].trim());
+        if text.is_empty() {
+            return Ok(None);
+        }
+        let wrong = |_| format!("found the seed {text:?}, expected a whole number or nothing");
+        text.parse().map(Some).map_err(wrong)
+    }
+}
+
+/// The text of a file: in the encoding that its first bytes name, else in UTF-8, else as Windows writes western languages.
+fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    let encoding = match Encoding::for_bom(bytes) {
+        Some((named, _)) => named,
+        None if std::str::from_utf8(bytes).is_ok() => UTF_8,
+        None => WINDOWS_1252,
+    };
+    encoding.decode(bytes).0
+}
+
+/// The column of a name, whatever its capitals and blanks.
+fn column(head: &[String], wanted: &str) -> Option<usize> {
+    head.iter().position(|name| name.trim().eq_ignore_ascii_case(wanted.trim()))
+}
+
+/// A row with a field for each column. Fields that are empty may be missing or too many.
+fn row(record: &csv::StringRecord, head: &[String], code: usize, separator: u8) -> Row {
+    let mut fields: Vec<String> = record.iter().map(str::to_owned).collect();
+    while fields.len() > head.len() && fields.last().is_some_and(|field| field.trim().is_empty()) {
+        fields.pop();
+    }
+    let found = fields.len();
+    let fits = found <= head.len() && found > code;
+    if found > head.len() {
+        let rest = fields.split_off(head.len() - 1);
+        fields.push(rest.join(&char::from(separator).to_string()));
+    }
+    fields.resize(head.len(), String::new());
+    Row {
+        line: record.position().map_or(0, csv::Position::line),
+        fields,
+        broken: (!fits).then(|| {
+            let word = if found == 1 { "field" } else { "fields" };
+            format!("the row has {found} {word}, expected {}", head.len())
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fields(bytes: &[u8]) -> Vec<Vec<String>> {
+        CodeTable::read(bytes).unwrap().rows.into_iter().map(|row| row.fields).collect()
+    }
+
+    #[test]
+    fn encodings_and_separators_of_spreadsheets_are_read() {
+        let expected = vec![vec!["Zoë".to_owned(), "X-1".to_owned()]];
+        for text in ["name,code\nZoë,X-1\n", "name;code\r\nZoë;X-1\r\n", "name\tcode\nZoë\tX-1"]
+        {
+            assert_eq!(fields(text.as_bytes()), expected);
+            assert_eq!(fields(&[b"\xef\xbb\xbf", text.as_bytes()].concat()), expected);
+            let wide = |order: fn(u16) -> [u8; 2]| -> Vec<u8> {
+                "\u{feff}".encode_utf16().chain(text.encode_utf16()).flat_map(order).collect()
+            };
+            assert_eq!(fields(&wide(u16::to_le_bytes)), expected);
+            assert_eq!(fields(&wide(u16::to_be_bytes)), expected);
+        }
+        assert_eq!(fields(b"name,code\nZo\xeb,X-1\n"), expected);
+    }
+
+    #[test]
+    fn rows_of_other_lengths_are_kept_and_told() {
+        let table = CodeTable::read(
+            b"name,code,note\nAda,X\nAlan,Y,,\nLovelace, Ada,Z,\nBob\nCleo, A,X,hm\n",
+        )
+        .unwrap();
+        let broken: Vec<Option<&str>> =
+            table.rows.iter().map(|row| row.broken.as_deref()).collect();
+        assert_eq!(
+            broken,
+            [
+                None,
+                None,
+                None,
+                Some("the row has 1 field, expected 3"),
+                Some("the row has 4 fields, expected 3")
+            ]
+        );
+        assert_eq!(table.rows[0].fields, ["Ada", "X", ""]);
+        assert_eq!(table.rows[4].fields, ["Cleo", " A", "X,hm"]);
+        assert_eq!(table.rows[4].line, 6);
+    }
+
+    #[test]
+    fn a_table_without_codes_is_told_by_its_head() {
+        assert_eq!(
+            CodeTable::read(b"name;answer\n").unwrap_err(),
+            (1, "found \"name,answer\", expected a column code".to_owned())
+        );
+        assert_eq!(CodeTable::read(b"").unwrap_err().0, 1);
+    }
+}
