@@ -50,7 +50,11 @@
 //!
 //! # Features
 //!
-//! `full` (on by default) is PDDL, integer programs, pictures and exercises; a browser's first picture does without them.
+//! `full` (on by default) is PDDL, pictures, exercises and every solver but exact search for one best plan; a browser's
+//! first picture does without them.
+
+// The linker leaves out what only the full core reaches.
+#![cfg_attr(not(feature = "full"), allow(dead_code, unused_imports))]
 
 /// Tests inside share helpers with those in `tests/`, who know the crate by its name.
 #[cfg(test)]

@@ -23,16 +23,17 @@ use crate::picture::{draw, read_picture_options};
 use crate::plan::{Plan, next_actions};
 use crate::problem;
 use crate::report::{
-    AdviceReport, EliminationReport, NextReport, ProgressReport, Request, Scene, SolveReport,
-    TraceReport, read_request,
+    EliminationReport, NextReport, ProgressReport, Request, Scene, SolveReport, TraceReport,
+    read_request,
 };
 use crate::solver;
-use crate::solver::remedy;
 use crate::trace::{elimination, trace};
+#[cfg(feature = "full")]
+use crate::{bindings::types::AdviceJs, report::AdviceReport, solver::remedy};
 use error::thrown;
 use types::{
-    AdviceJs, EliminationJs, NextActionsJs, OutcomeJs, PictureOptionsJs, ProgressJs, SceneJs,
-    SolveOptionsJs, TraceJs,
+    EliminationJs, NextActionsJs, OutcomeJs, PictureOptionsJs, ProgressJs, SceneJs, SolveOptionsJs,
+    TraceJs,
 };
 
 /// Shows panics on the console with their message.
@@ -182,10 +183,17 @@ impl Problem {
 
     /// Gets ready to say why a run with these options found no plan, and which change of one option
     /// would allow one. Throws an `OptionsError` where the options do not fit.
+    #[cfg(feature = "full")]
     pub fn remedy(&self, options: SolveOptionsJs) -> Result<RemedyRun, JsValue> {
         let options = self.request(&options)?.options;
         let run = remedy::RemedyRun::new(Arc::clone(&self.problem), options);
         Ok(RemedyRun { run: run.map_err(|e| error::solve(&e))? })
+    }
+
+    /// Finds no remedy: throws a `NeedsFullCore`.
+    #[cfg(not(feature = "full"))]
+    pub fn remedy(&self, _options: SolveOptionsJs) -> Result<(), JsValue> {
+        Err(error::needs_full_core("remedies are found by the full core"))
     }
 }
 
@@ -235,12 +243,14 @@ impl Run {
 }
 
 /// The search for remedies at work.
+#[cfg(feature = "full")]
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct RemedyRun {
     run: remedy::RemedyRun,
 }
 
+#[cfg(feature = "full")]
 #[wasm_bindgen]
 impl RemedyRun {
     /// Works for about this many expansions; true when there is an answer.

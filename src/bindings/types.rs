@@ -302,6 +302,9 @@ export type Scene =
 #[cfg(feature = "full")]
 #[wasm_bindgen]
 extern "C" {
+    /// Why there is no plan, and what would do.
+    #[wasm_bindgen(typescript_type = "Advice")]
+    pub type AdviceJs;
     /// Files to import.
     #[wasm_bindgen(typescript_type = "ImportFile[]")]
     pub type ImportFilesJs;
@@ -336,9 +339,6 @@ extern "C" {
     /// A replayed plan.
     #[wasm_bindgen(typescript_type = "Trace")]
     pub type TraceJs;
-    /// Why there is no plan, and what would do.
-    #[wasm_bindgen(typescript_type = "Advice")]
-    pub type AdviceJs;
     /// Why a goal is not possible, where a state was near it.
     #[wasm_bindgen(typescript_type = "Elimination | null")]
     pub type EliminationJs;

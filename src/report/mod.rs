@@ -108,6 +108,7 @@ pub struct SolveReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<String>,
     /// Why there is no plan and what would do, where somebody looked for that.
+    #[cfg(feature = "full")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remedy: Option<AdviceReport>,
     /// What the work took.
@@ -291,6 +292,7 @@ impl SolveReport {
             pareto_complete: None,
             lengths: None,
             limit: Some(limit.into()),
+            #[cfg(feature = "full")]
             remedy: None,
             stats: StatsReport::new(solver, &Stats::default()),
         }
@@ -337,6 +339,7 @@ impl SolveReport {
                 points.iter().map(|point| LengthReport::new(problem, point)).collect()
             }),
             limit: outcome.limit.map(|limit| limit.to_string()),
+            #[cfg(feature = "full")]
             remedy: None,
             stats: StatsReport::new(outcome.solver, &outcome.stats),
         }

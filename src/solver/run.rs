@@ -10,14 +10,17 @@ use crate::trace::{Achievement, InvalidPlan, validate_with};
 
 use super::engine::{Advance, Engine, Finding};
 use super::error::SolveError;
-use super::explorer::{Explorer, Lengths};
 use super::ground::shortest_length::{Reached, Shortest};
-#[cfg(feature = "full")]
-use super::ip;
 use super::optimiser::Optimiser;
 use super::outcome::{LengthPoint, Outcome, Progress, ReachablePair, Stats, Status};
-use super::portfolio::Portfolio;
-use super::{Horizon, Options, Solver, algorithm1, baseline};
+use super::{Horizon, Options, Solver};
+#[cfg(feature = "full")]
+use super::{
+    algorithm1, baseline,
+    explorer::{Explorer, Lengths},
+    ip,
+    portfolio::Portfolio,
+};
 
 /// How many expansions or nodes [`solve`] does between two reports. Few, since a single one can
 /// take long: an expansion where beliefs are large, a node where the integer program is.
@@ -67,11 +70,13 @@ impl Run {
     ///
     /// # Errors
     ///
-    /// [`SolveError::Options`]; for an integer program without the feature `full`
-    /// [`SolveError::NeedsFullCore`].
+    /// [`SolveError::Options`]; without the feature `full` [`SolveError::NeedsFullCore`] for everything but one best
+    /// plan by exact search.
     pub fn new(problem: Arc<Problem>, options: Options) -> Result<Self, SolveError> {
         options.check(&problem)?;
-        if cfg!(not(feature = "full")) && options.solver == Solver::Ip {
+        let one_best =
+            options.solver == Solver::Exact && !options.pairs && options.lengths.is_none();
+        if cfg!(not(feature = "full")) && !one_best {
             return Err(SolveError::NeedsFullCore);
         }
         let mut run = Self {
@@ -105,18 +110,20 @@ impl Run {
 
     fn start(&self) -> Result<Box<dyn Engine>, LimitReached> {
         let (problem, options) = (Arc::clone(&self.problem), &self.options);
+        #[cfg(feature = "full")]
         if let Some(longest) = options.lengths {
             return Ok(Box::new(Explorer::new(problem, options, Lengths::UpTo(longest))));
         }
+        #[cfg(feature = "full")]
         if options.pairs {
             let lengths = self.horizon.map_or(Lengths::Any, Lengths::Exactly);
             return Ok(Box::new(Explorer::new(problem, options, lengths)));
         }
         Ok(match (options.solver, self.horizon) {
             (Solver::Exact, horizon) => Box::new(Optimiser::new(problem, options, horizon)),
-            // `new` has refused it.
+            // `new` has refused them.
             #[cfg(not(feature = "full"))]
-            (Solver::Ip, _) => return Err(LimitReached::Cancelled),
+            _ => return Err(LimitReached::Cancelled),
             #[cfg(feature = "full")]
             (Solver::Ip, horizon) => {
                 let horizon = horizon.unwrap_or(0);
@@ -124,12 +131,15 @@ impl Run {
                 let starter = Box::new(Explorer::new(Arc::clone(&problem), options, lengths));
                 Box::new(ip::IntegerProgram::new(problem, options, horizon, starter)?)
             }
+            #[cfg(feature = "full")]
             (Solver::Baseline, horizon) => {
                 Box::new(baseline::engine(problem.task(), options.limits, horizon))
             }
+            #[cfg(feature = "full")]
             (Solver::Search | Solver::Obfuscate | Solver::Legible, horizon) => {
                 Box::new(algorithm1::engine(problem, options, horizon))
             }
+            #[cfg(feature = "full")]
             (Solver::Satisficing, horizon) => Box::new(Portfolio::new(problem, options, horizon)),
         })
     }

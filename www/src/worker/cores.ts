@@ -1,5 +1,5 @@
-// The two builds of the core. The page begins with the light one, which is built for size and lacks PDDL and integer
-// programs. The full one is built for speed; it is fetched in the first pause, or before if something needs it, and does
+// The two builds of the core. The page begins with the light one, which is built for size and has exact search for one
+// best plan alone, without PDDL. The full one is built for speed; it is fetched in the first pause, or before if something needs it, and does
 // everything from then on. Which things need it, the light core says.
 
 import initFull, { Exercise as FullExercise, Problem as FullProblem, seedOf } from "../../pkg/mo_copp.js";
@@ -30,7 +30,7 @@ const light = { Problem: LightProblem, exercises: null } as unknown as Core;
 const full = { Problem: FullProblem, exercises: { Exercise: FullExercise, seedOf } } as unknown as Core;
 
 const NOT_LOADED =
-  "The part of the program for PDDL, integer programs and exercises could not be loaded. Your problem is as it was. " +
+  "The part of the program for PDDL, exercises and other solvers could not be loaded. Your problem is as it was. " +
   "Check the connection, then try again.";
 
 let current = light;
