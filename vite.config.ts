@@ -3,6 +3,7 @@ import { defineConfig, type Plugin } from "vite";
 import { documentation } from "./scripts/documentation/plugin.mjs";
 import { learn } from "./scripts/learn/plugin.mjs";
 import { stylesInElement } from "./scripts/page/styles.mjs";
+import { withoutAddress } from "./scripts/page/without-address.mjs";
 import { thirdParty } from "./scripts/third-party/plugin.mjs";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
@@ -28,7 +29,7 @@ export default defineConfig({
   base: "./",
   plugins: [policyInBuildOnly(), stylesInElement(), documentation(), learn(), licences.page],
   // One script that is a module worker on its own host and a classic one elsewhere.
-  worker: { format: "iife", plugins: () => [licences.worker] },
+  worker: { format: "iife", plugins: () => [withoutAddress(), licences.worker] },
   build: {
     outDir: here("dist"),
     emptyOutDir: true,

@@ -4,6 +4,7 @@ import { compress } from "lzma1";
 import { build } from "vite";
 import { dist, inRoot } from "../lib/paths.mjs";
 import { stylesInElement } from "./styles.mjs";
+import { withoutAddress } from "./without-address.mjs";
 
 /** Resolves to the exit code. */
 export async function buildSingle() {
@@ -62,18 +63,6 @@ function core() {
       if (found !== `\0${id}`) return null;
       const bytes = readFileSync(inRoot("www", "pkg", "mo_copp_bg.wasm"));
       return `export default ${JSON.stringify(Buffer.from(compress(new Uint8Array(bytes), 9)).toString("base64"))};`;
-    },
-  };
-}
-
-/** The worker in the script never fetches a core: its glue code names none. */
-function withoutAddress() {
-  return {
-    name: "without-address",
-    enforce: "pre",
-    transform(code, id) {
-      if (!/\/www\/pkg(?:-light)?\/[^/]+\.js$/.test(id)) return null;
-      return { code: code.replace(/new URL\('[^']+\.wasm', import\.meta\.url\)/, "undefined"), map: null };
     },
   };
 }

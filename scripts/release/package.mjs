@@ -34,11 +34,22 @@ export async function buildPackage() {
   return 0;
 }
 
+/** The list of files that a chunk loads ahead, as Vite writes it: a bundler gives them other names. */
+const loadedAhead = /^(const __vite__mapDeps=.*?)=>i\.map\(i=>d\[i\]\)/;
+
+/** Copies a script of the element; it loads nothing ahead. */
+function copyScript(...file) {
+  const script = readFileSync(join(dist, ...file), "utf8");
+  writeFileSync(to("element", ...file), script.replace(loadedAhead, "$1=>[]"));
+}
+
 function copyScripts() {
-  cpSync(join(dist, "mo-copp-playground.js"), to("element", "mo-copp-playground.js"));
-  mkdirSync(to("element", "assets"));
-  for (const file of readdirSync(join(dist, "assets")).filter((name) => !ofThePage.test(name)))
-    cpSync(join(dist, "assets", file), to("element", "assets", file));
+  mkdirSync(to("element", "assets"), { recursive: true });
+  copyScript("mo-copp-playground.js");
+  for (const file of readdirSync(join(dist, "assets")).filter((name) => !ofThePage.test(name))) {
+    if (file.endsWith(".js")) copyScript("assets", file);
+    else cpSync(join(dist, "assets", file), to("element", "assets", file));
+  }
   cpSync(join(dist, "mo-copp-playground.single.js"), to("single", "index.js"));
   for (const file of ["mo_copp.js", "mo_copp_bg.wasm"]) cpSync(join(wasmPackage, file), to("core", file));
   // Only the newest libraries of TypeScript know what a `using` calls.

@@ -5,6 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, 
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { build } from "vite";
 import { childEnvironment } from "../../scripts/lib/environment.mjs";
 import { root } from "../../scripts/lib/paths.mjs";
 import { serve } from "../../scripts/lib/static-server.mjs";
@@ -137,6 +138,43 @@ test("the article is in it, with live figures and no link that leads nowhere", a
         requests.filter((request) => !request.startsWith(address)),
         [],
       );
+    });
+  } finally {
+    server.close();
+    server.closeAllConnections();
+  }
+});
+
+test("a bundler may give its files other names: every one of them is found, and the problem is solved", async () => {
+  const bundled = join(folder, "bundled");
+  writeFileSync(
+    join(folder, "index.html"),
+    `<!doctype html><title>Bundled</title><script type="module">import "mo-copp";</script>
+     <mo-copp-playground><script type="application/json">${grid()}</script></mo-copp-playground>`,
+  );
+  await build({
+    configFile: false,
+    logLevel: "error",
+    root: folder,
+    resolve: { preserveSymlinks: true },
+    build: { outDir: bundled, modulePreload: { polyfill: false }, chunkSizeWarningLimit: 5000 },
+  });
+  const { server, address } = await serve(bundled);
+  try {
+    await visit(async ({ page }) => {
+      await page.goto("about:blank");
+      const missing: string[] = [];
+      page.on("response", (response) => {
+        if (response.status() >= 400) missing.push(response.url());
+      });
+      const full = page.waitForResponse((response) => /mo_copp_bg.*\.wasm$/.test(response.url()));
+      await page.goto(address);
+      await page.waitForSelector('mo-copp-playground[data-status="optimal"]');
+      assert.equal((await full).status(), 200);
+      // Tabs are chunks of their own.
+      for (const tab of ["Edit", "Document"]) await page.getByRole("tab", { name: tab, exact: true }).click();
+      await page.getByLabel("Problem document (JSON)", { exact: true }).waitFor();
+      assert.deepEqual(missing, []);
     });
   } finally {
     server.close();

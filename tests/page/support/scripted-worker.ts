@@ -1,6 +1,6 @@
 // Workers that do just what a test tells them, in place of a browser's.
 import assert from "node:assert/strict";
-import type { Message, Reply } from "../../../www/src/worker/protocol.js";
+import type { CoreMessage, Message, Reply } from "../../../www/src/worker/protocol.js";
 
 export class ScriptedWorker {
   static all: ScriptedWorker[] = [];
@@ -12,8 +12,9 @@ export class ScriptedWorker {
   constructor() {
     ScriptedWorker.all.push(this);
   }
-  postMessage(message: Message): void {
-    this.heard.push(message);
+  postMessage(message: Message | CoreMessage): void {
+    // Where the cores are is told to each.
+    if (!("core" in message)) this.heard.push(message);
   }
   terminate(): void {
     this.ended = true;

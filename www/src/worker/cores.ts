@@ -5,7 +5,6 @@
 import initFull, { Exercise as FullExercise, Problem as FullProblem, seedOf } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";
 import type { Elimination } from "../core.js";
-import { WAITING } from "./names.js";
 import type { CoreMessage } from "./protocol.js";
 
 /** What the worker asks of a problem. */
@@ -36,19 +35,16 @@ const NOT_LOADED =
 let current = light;
 let loading: Promise<void> | null = null;
 
-/** Settles for each core when the page has sent it, where the page has to. */
+/** Settles for each core when the page has told where it is, or sent it. */
 const sent = { light: waits(), full: waits() };
-const isWaiting = (globalThis as { name?: string }).name === WAITING;
 let ask = () => {};
 
-/** Loads the core with which work begins. A page that sends the full one alone has it used for everything. */
-export function loadFirst(askForFull: () => void): Promise<void> {
+/**
+ * Loads the core with which work begins: the one that the page tells of first. A page that tells of the full one alone
+ * has it used for everything.
+ */
+export async function loadFirst(askForFull: () => void): Promise<void> {
   ask = askForFull;
-  return isWaiting ? startSent() : startLight();
-}
-
-/** Whichever the page sends first. */
-async function startSent(): Promise<void> {
   const { light, full } = sent;
   const starts = [
     light.promise.then((core) => () => startLight(core)),
@@ -108,7 +104,7 @@ export function lookAhead(): void {
 
 /** One load for all who wait for it; a load that failed is tried again by the next. */
 async function toFullCore(): Promise<void> {
-  loading ??= isWaiting ? askForFull() : startFull();
+  loading ??= askForFull();
   try {
     await loading;
   } catch {
@@ -123,24 +119,27 @@ function askForFull(): Promise<void> {
   return sent.full.promise.then(startFull);
 }
 
-async function startLight(bytes?: BufferSource): Promise<void> {
-  await initLight(bytes === undefined ? undefined : { module_or_path: bytes });
+async function startLight(core: CoreFile): Promise<void> {
+  await initLight({ module_or_path: core });
 }
 
-async function startFull(bytes?: BufferSource): Promise<void> {
-  await initFull(bytes === undefined ? undefined : { module_or_path: bytes });
+async function startFull(core: CoreFile): Promise<void> {
+  await initFull({ module_or_path: core });
   current = full;
 }
 
+/** The address of a core, or its bytes. */
+type CoreFile = string | BufferSource;
+
 interface Waits {
-  promise: Promise<BufferSource>;
-  resolve: (core: BufferSource) => void;
+  promise: Promise<CoreFile>;
+  resolve: (core: CoreFile) => void;
   reject: (error: Error) => void;
 }
 
 function waits(): Waits {
   const parts: Partial<Waits> = {};
-  const promise = new Promise<BufferSource>((resolve, reject) => Object.assign(parts, { resolve, reject }));
+  const promise = new Promise<CoreFile>((resolve, reject) => Object.assign(parts, { resolve, reject }));
   // It is asked for when it is needed; until then a refusal is no error.
   promise.catch(() => undefined);
   return { ...parts, promise } as Waits;

@@ -5,7 +5,7 @@
 import fullAddress from "../../pkg/mo_copp_bg.wasm?url";
 import lightAddress from "../../pkg-light/mo_copp_light_bg.wasm?url";
 import type { SolverWorker } from "./later.js";
-import { WAITING } from "./names.js";
+import { NAME } from "./names.js";
 import { chosenPlaces } from "./places.js";
 import type { CoreMessage, Reply } from "./protocol.js";
 import workerAddress from "./solver.worker.ts?worker&url";
@@ -21,14 +21,14 @@ export async function startElsewhere(): Promise<SolverWorker> {
   return supply(started, wasm === null ? { light: lightAddress, full: fullAddress } : { light: null, full: wasm });
 }
 
-const fromFile = (address: URL): Worker => new Worker(address, { name: WAITING });
+const fromFile = (address: URL): Worker => new Worker(address, { name: NAME });
 
 export function fromText(script: string): Worker {
   const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
   try {
-    return new Worker(address, { name: WAITING });
+    return new Worker(address, { name: NAME });
   } catch {
-    return new Worker(`data:text/javascript;base64,${inBase64(script)}`, { name: WAITING });
+    return new Worker(`data:text/javascript;base64,${inBase64(script)}`, { name: NAME });
   } finally {
     // The browser has read it by the time that the worker says anything.
     setTimeout(() => URL.revokeObjectURL(address), 60_000);

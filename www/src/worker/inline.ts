@@ -4,7 +4,7 @@
 import core from "virtual:core";
 import { decompress } from "virtual:lzma";
 import { Later, type SolverWorker } from "./later.js";
-import { WAITING } from "./names.js";
+import { NAME } from "./names.js";
 import type { CoreMessage } from "./protocol.js";
 import SolverScript from "./solver.worker.ts?worker&inline";
 
@@ -18,7 +18,7 @@ async function start(): Promise<SolverWorker> {
   // Unpacking takes as long as a few pictures: the page draws what it has before.
   await new Promise((done) => setTimeout(done));
   unpacked ??= unpack();
-  const worker = new SolverScript({ name: WAITING });
+  const worker = new SolverScript({ name: NAME });
   worker.postMessage({ kind: "full", core: unpacked.buffer } satisfies CoreMessage);
   return worker;
 }

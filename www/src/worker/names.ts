@@ -1,2 +1,2 @@
-// The name of a worker that is given the core by the page; every other fetches it by itself.
-export const WAITING = "mo-copp solver, waiting for the core";
+// The name of the workers, as the browser's tools show it.
+export const NAME = "mo-copp solver";

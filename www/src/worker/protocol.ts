@@ -48,9 +48,9 @@ export type Board = "actor" | "adversarial" | "cooperative";
 /** Page to worker. `cancel` names the request it ends; `ahead`: there is time to fetch the full core. */
 export type Message = (Task & { id: number }) | { kind: "cancel"; id: number } | { kind: "ahead" };
 
-/** Page to worker, where the worker cannot fetch the core by itself: the core, or why there is none. */
+/** Page to worker: where a core is, or, where the worker cannot fetch it by itself, the core, or why there is none. */
 export type CoreMessage =
-  | { kind: "light" | "full"; core: ArrayBuffer }
+  | { kind: "light" | "full"; core: string | ArrayBuffer }
   | { kind: "light" | "full"; core: null; error: string };
 
 /** What is wrong with a document, and where. */
