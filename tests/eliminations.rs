@@ -4,7 +4,7 @@ use mo_copp::domain::Document;
 use mo_copp::plan::Plan;
 use mo_copp::problem::Role;
 use mo_copp::report::TraceReport;
-use mo_copp::trace::{Elimination, ReachableGoals, elimination, trace};
+use mo_copp::trace::{Elimination, ReachableGoals, elimination, nearest, trace};
 
 use crate::common::check::bits;
 use crate::common::oracle::{Replayed, replay};
@@ -119,6 +119,57 @@ fn expected(
         }
     }
     last
+}
+
+/// The fewest actions from a state of the set to one of the others.
+fn actions_between(table: &Table, from: Set, to: Set) -> Option<usize> {
+    let (mut seen, mut actions) = (from, 0);
+    while seen & to == 0 {
+        let next = |state: usize| table.next[state].iter().flatten().map(|&target| 1 << target);
+        let more = members(seen).flat_map(next).fold(seen, |set, state: Set| set | state);
+        if more == seen {
+            return None;
+        }
+        (seen, actions) = (more, actions + 1);
+    }
+    Some(actions)
+}
+
+#[test]
+fn the_believed_state_that_is_nearest_to_a_goal() {
+    let mut dice = Dice::new(11);
+    let (mut near, mut never) = (0, 0);
+    for case in 0..300 {
+        let judge = if case % 2 == 0 {
+            Judge::new(table(&mut dice, MEDIUM, &[Role::Adversarial, Role::Cooperative]))
+        } else {
+            let grid = gridworld::random(&mut dice, 4);
+            Judge::of(gridworld::table(&grid), grid.problem().unwrap().into())
+        };
+        let table = &judge.table;
+        let plan = walk(&mut dice, table, 6);
+        let steps = replay(table, &plan).unwrap();
+        let label = |words: &[u64]| judge.problem.label(words).to_string();
+        let named = named(&judge, &plan);
+        let step = dice.below(plan.len() + 1);
+        for watcher in 0..2 {
+            for goal in 0..table.goals.len() {
+                let belief = steps[step].beliefs[watcher];
+                let expected = actions_between(table, belief, table.goals[goal]);
+                let found = nearest(&judge.problem, &named, watcher, goal, step).unwrap();
+                assert_eq!(found.as_ref().map(|found| found.actions), expected, "case {case}");
+                let Some(found) = found else {
+                    never += 1;
+                    continue;
+                };
+                near += usize::from(found.actions > 0);
+                let name = label(found.state.words());
+                let state = members(belief).find(|&state| *table.states[state] == *name).unwrap();
+                assert_eq!(actions_between(table, 1 << state, table.goals[goal]), expected);
+            }
+        }
+    }
+    assert!(near > 200 && never > 20, "{near} {never}");
 }
 
 #[test]

@@ -20,20 +20,20 @@ use crate::domain::Document;
 use crate::limits::MAX_TEXT_BYTES;
 #[cfg(feature = "full")]
 use crate::picture::{draw, read_picture_options};
-use crate::plan::{Plan, next_actions};
+use crate::plan::{Plan, PlanError, next_actions};
 use crate::problem;
 use crate::report::{
-    EliminationReport, NextReport, ProgressReport, Request, Scene, SolveReport, TraceReport,
-    read_request,
+    EliminationReport, NearestReport, NextReport, ProgressReport, Request, Scene, SolveReport,
+    TraceReport, read_request,
 };
 use crate::solver;
-use crate::trace::{elimination, trace};
+use crate::trace::{elimination, nearest, trace};
 #[cfg(feature = "full")]
 use crate::{bindings::types::AdviceJs, report::AdviceReport, solver::remedy};
 use error::thrown;
 use types::{
-    EliminationJs, NextActionsJs, OutcomeJs, PictureOptionsJs, ProgressJs, SceneJs, SolveOptionsJs,
-    TraceJs,
+    EliminationJs, NearestJs, NextActionsJs, OutcomeJs, PictureOptionsJs, ProgressJs, SceneJs,
+    SolveOptionsJs, TraceJs,
 };
 
 /// Shows panics on the console with their message.
@@ -143,14 +143,28 @@ impl Problem {
         step: usize,
     ) -> Result<EliminationJs, JsValue> {
         let plan = self.plan(&plan)?;
-        let unknown =
-            |kind: &str, name: &str| thrown("OptionsError", &format!("no {kind} {name:?}"));
-        let watching = self.problem.observer_named(observer);
-        let watching = watching.ok_or_else(|| unknown("observer", observer))?;
-        let wanted = self.problem.goal_named(goal).ok_or_else(|| unknown("goal", goal))?;
+        let (watching, wanted) = self.watched(observer, goal)?;
         let found = elimination(&self.problem, &plan, watching, wanted, step);
         let found = found.map_err(|e| error::plan(&e))?;
         to_js(&found.map(|found| EliminationReport::new(&self.problem, &found)))
+    }
+
+    /// How far a goal is from what an observer believes after a step of a plan: the believed state from which the fewest
+    /// actions lead there; null where that takes too many states. Throws as `elimination` does.
+    pub fn nearest(
+        &self,
+        plan: Vec<String>,
+        observer: &str,
+        goal: &str,
+        step: usize,
+    ) -> Result<NearestJs, JsValue> {
+        let plan = self.plan(&plan)?;
+        let (watching, wanted) = self.watched(observer, goal)?;
+        let found = match nearest(&self.problem, &plan, watching, wanted, step) {
+            Err(PlanError::TooManyStates { .. }) => None,
+            found => Some(found.map_err(|e| error::plan(&e))?),
+        };
+        to_js(&found.map(|found| NearestReport::new(&self.problem, found.as_ref())))
     }
 
     /// Draws the boards of a step of a plan, or of all its steps, as SVG. Throws a `PlanError` that names the step, and an
@@ -201,6 +215,16 @@ impl Problem {
     fn request(&self, options: &SolveOptionsJs) -> Result<Request, JsValue> {
         let text = js_sys::JSON::stringify(options).map(String::from)?;
         read_request(&text, &self.problem).map_err(|e| error::options(&e))
+    }
+
+    /// The positions of an observer and a goal.
+    fn watched(&self, observer: &str, goal: &str) -> Result<(usize, usize), JsValue> {
+        let unknown =
+            |kind: &str, name: &str| thrown("OptionsError", &format!("no {kind} {name:?}"));
+        let watching = self.problem.observer_named(observer);
+        let watching = watching.ok_or_else(|| unknown("observer", observer))?;
+        let wanted = self.problem.goal_named(goal).ok_or_else(|| unknown("goal", goal))?;
+        Ok((watching, wanted))
     }
 
     fn plan(&self, names: &[String]) -> Result<Plan, JsValue> {

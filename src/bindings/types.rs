@@ -154,6 +154,12 @@ export interface TraceStep {
   goal_difference: number;
 }
 
+/** How far a goal is from what an observer believes: the believed state from which the fewest actions lead there; both are
+ * null where none do. */
+export interface Nearest {
+  state: State | null;
+  actions: number | null;
+}
 /** Why a goal is not possible for an observer: the last believed states that were one action away from it or in it, and
  * the symbol that ended them. */
 export interface Elimination {
@@ -342,6 +348,9 @@ extern "C" {
     /// Why a goal is not possible, where a state was near it.
     #[wasm_bindgen(typescript_type = "Elimination | null")]
     pub type EliminationJs;
+    /// How far a goal is from what an observer believes.
+    #[wasm_bindgen(typescript_type = "Nearest | null")]
+    pub type NearestJs;
     /// What can be done after a plan.
     #[wasm_bindgen(typescript_type = "NextAction[]")]
     pub type NextActionsJs;

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::problem::{Problem, StateLabel};
-use crate::trace::{Elimination, Missed};
+use crate::trace::{Elimination, Missed, Nearest};
 
 /// The last states that would have led to a goal, and the symbol that ended them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -51,6 +51,25 @@ impl EliminationReport {
             led_count: elimination.led_count,
             held: elimination.held.iter().map(|state| problem.label(state.words())).collect(),
             held_count: elimination.held_count,
+        }
+    }
+}
+
+/// How far a goal is from what an observer believes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NearestReport {
+    /// The believed state that is nearest; none where no actions lead to the goal from any of them.
+    pub state: Option<StateLabel>,
+    /// How many actions lead from it to the goal.
+    pub actions: Option<usize>,
+}
+
+impl NearestReport {
+    /// The report of the nearest state, where there is one.
+    pub fn new(problem: &Problem, nearest: Option<&Nearest>) -> Self {
+        Self {
+            state: nearest.map(|nearest| problem.label(nearest.state.words())),
+            actions: nearest.map(|nearest| nearest.actions),
         }
     }
 }

@@ -17,7 +17,7 @@ use serde::Serialize;
 pub use advice::{AdviceReport, RemedyReport};
 pub use belief::{BeliefReport, Feature, Share};
 pub use classical::{PlanReport, PlanStats};
-pub use elimination::{EliminationReport, MissedReport};
+pub use elimination::{EliminationReport, MissedReport, NearestReport};
 #[cfg(feature = "full")]
 pub use exercise::{ExerciseReport, FindingReport, SolutionReport, VerdictReport};
 #[cfg(feature = "full")]

@@ -7,6 +7,7 @@
 
 mod belief;
 mod elimination;
+mod nearest;
 mod reachable_goals;
 #[cfg(test)]
 mod tests;
@@ -15,6 +16,7 @@ mod witness;
 
 pub use belief::TracedBelief;
 pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
+pub use nearest::{Nearest, nearest};
 pub use reachable_goals::ReachableGoals;
 pub use validator::{Achievement, InvalidPlan, validate, validate_with};
 pub use witness::Witness;

@@ -215,5 +215,8 @@ test("why a goal is not possible is said, and drawn on the board", () =>
     await assertNoBarrier(page, "a reason");
     await press(page, "Back one step");
     await stepIs(page, 0);
-    await because.getByText("no place believed until now was one action away from it.").waitFor();
+    // Nothing has ended it: it is as far away as the nearest of the places that are believed.
+    await because.getByText("from the nearest place believed now it is 1 action away.").waitFor();
+    assert.equal(await marks.getAttribute("data-reason"), "now");
+    assert.equal(await marks.locator(".last").count(), 1);
   }));

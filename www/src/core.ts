@@ -32,8 +32,8 @@ export interface Trace extends PlainTrace {
   steps: TraceStep[];
 }
 
-/** One for each observer; null where the goal is possible for it, or was never so near. */
-export type Eliminations = Record<"adversarial" | "cooperative", Elimination | null>;
+/** One for each observer; how far the goal is where it was never so near; null where that is not known. */
+export type Eliminations = Record<"adversarial" | "cooperative", Elimination | Nearest | null>;
 
 /** Why a goal is not possible for an observer: the last believed states that were one action away from it or in it, and
  * the symbol that ended them. Lists are cut at a hundred; the counts are not. */

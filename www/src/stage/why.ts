@@ -1,7 +1,7 @@
 // Why the goal that was chosen is not possible for an observer: in words under its goals, and on its board the last states
 // that would have led there.
 import { html, nothing, svg, type TemplateResult } from "lit";
-import type { Elimination, State } from "../core.js";
+import type { Elimination, Nearest, State } from "../core.js";
 import { glossaryLink } from "../help/glossary-link.js";
 import type { Why } from "../state/why.js";
 import { actionText } from "../view/action.js";
@@ -25,10 +25,21 @@ export function reason(
 ): TemplateResult | typeof nothing {
   const known = why.of(role);
   if (known === undefined || standing === undefined || standing === "possible") return nothing;
-  const { goal, elimination } = known;
+  const { goal, cause } = known;
   return html`<p class="because" role="status"><b>${brief(goal)}</b> ${
     standing === "ruled out" ? glossaryLink("possible", "ruled out") : "not possible now"
-  }: ${elimination === null ? `no ${noun} believed until now was one action away from it.` : words(role, noun, elimination)}</p>`;
+  }: ${isNearest(cause) ? far(noun, standing, cause) : words(role, noun, cause)}</p>`;
+}
+
+const isNearest = (cause: Elimination | Nearest | null): cause is Nearest | null =>
+  cause === null || "actions" in cause;
+
+/** No believed state was ever one action away from the goal. */
+function far(noun: string, standing: Standing, nearest: Nearest | null): string {
+  if (nearest === null) return `no ${noun} believed until now was one action away from it.`;
+  if (nearest.actions === null) return `no actions lead there from any ${noun} believed now.`;
+  const away = `from the nearest ${noun} believed now it is ${counted(nearest.actions, "action")} away`;
+  return standing === "ruled out" ? `${away}, and the plan has come to its end.` : `${away}.`;
 }
 
 function words(role: Role, noun: string, { step, symbol, led, led_count, held_count }: Elimination): TemplateResult {
@@ -55,8 +66,12 @@ function cellIn(state: State): [number, number] | null {
 
 /** A ring around each cell from which one action would have led to the goal, with an arrow that way, crossed out. */
 export function reasonMarks(role: Role, { why }: WhyStores) {
-  const elimination = why.of(role)?.elimination;
-  if (elimination === undefined || elimination === null) return nothing;
+  const cause = why.of(role)?.cause ?? null;
+  if (isNearest(cause)) {
+    const cell = cause?.state == null ? null : cellIn(cause.state);
+    return cell === null ? nothing : svg`<g class="reason" data-reason="now">${ring(cell)}</g>`;
+  }
+  const elimination = cause;
   const led = elimination.led.flatMap(({ state, result }) => {
     const [from, to] = [cellIn(state), cellIn(result)];
     return from === null || to === null ? [] : [{ from, to }];
@@ -64,10 +79,13 @@ export function reasonMarks(role: Role, { why }: WhyStores) {
   const held = elimination.led_count > 0 ? [] : elimination.held.map(cellIn);
   const rings = [...led.map(({ from }) => from), ...held.filter((cell) => cell !== null)];
   return svg`<g class="reason" data-reason=${elimination.step}>
-    ${rings.map(([column, row]) => svg`<rect class="last" x=${column + 0.1} y=${row + 0.1} width="0.8" height="0.8" rx="0.16"></rect>`)}
+    ${rings.map(ring)}
     ${led.filter(({ from, to }) => from[0] !== to[0] || from[1] !== to[1]).map(arrow)}
   </g>`;
 }
+
+const ring = ([column, row]: [number, number]) =>
+  svg`<rect class="last" x=${column + 0.1} y=${row + 0.1} width="0.8" height="0.8" rx="0.16"></rect>`;
 
 /** From the edge of one cell into the other, with a bar across: it did not happen. */
 function arrow({ from, to }: { from: [number, number]; to: [number, number] }) {

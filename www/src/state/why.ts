@@ -33,12 +33,12 @@ export class Why {
     });
   }
 
-  /** Nothing while it is not known; null where the goal is possible, or no believed state was ever so near. */
-  of(role: Role): { goal: string; elimination: Eliminations[Role] } | undefined {
+  /** Nothing while it is not known. */
+  of(role: Role): { goal: string; cause: Eliminations[Role] } | undefined {
     const [asked, found] = [this.question(), this.found.value];
     if (asked === null || found === null) return undefined;
     const same = found.trace === asked.trace && found.goal === asked.goal && found.step === asked.step;
-    return same ? { goal: found.goal, elimination: found.eliminations[role] } : undefined;
+    return same ? { goal: found.goal, cause: found.eliminations[role] } : undefined;
   }
 
   dispose(): void {

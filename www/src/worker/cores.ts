@@ -4,12 +4,13 @@
 
 import initFull, { Exercise as FullExercise, Problem as FullProblem, seedOf } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";
-import type { Elimination } from "../core.js";
+import type { Elimination, Nearest } from "../core.js";
 import type { CoreMessage } from "./protocol.js";
 
 /** What the worker asks of a problem. */
 export interface Problem extends FullProblem {
   elimination(plan: string[], observer: string, goal: string, step: number): Elimination | null;
+  nearest(plan: string[], observer: string, goal: string, step: number): Nearest | null;
 }
 
 /** A core at work: it reads documents. */

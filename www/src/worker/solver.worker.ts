@@ -74,7 +74,8 @@ function perform(core: Core, task: Task, id: number): Answer | Promise<Answer> {
 }
 
 function explained(problem: Problem, { plan, goal, step }: Extract<Task, { kind: "explain" }>): Eliminations {
-  const of = (observer: string) => problem.elimination(plan, observer, goal, step);
+  const of = (observer: string) =>
+    problem.elimination(plan, observer, goal, step) ?? problem.nearest(plan, observer, goal, step);
   return { adversarial: of("adversarial"), cooperative: of("cooperative") };
 }
 
