@@ -35,6 +35,13 @@ export interface Trace extends PlainTrace {
 /** One for each observer; how far the goal is where it was never so near; null where that is not known. */
 export type Eliminations = Record<"adversarial" | "cooperative", Elimination | Nearest | null>;
 
+/** How far a goal is from what an observer believes: the believed state from which the fewest actions lead there; both are
+ * null where none do. */
+export interface Nearest {
+  state: State | null;
+  actions: number | null;
+}
+
 /** Why a goal is not possible for an observer: the last believed states that were one action away from it or in it, and
  * the symbol that ended them. Lists are cut at a hundred; the counts are not. */
 export interface Elimination {
