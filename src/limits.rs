@@ -24,6 +24,12 @@ pub enum LimitReached {
         /// The limit in MiB (2²⁰ bytes).
         limit_mib: u64,
     },
+    /// A belief outgrew its list where only lists were allowed.
+    #[error("list limit reached: a belief of more than {limit} states")]
+    Listed {
+        /// The limit.
+        limit: u64,
+    },
     /// More nodes were expanded than allowed.
     #[error("expansion limit reached: {limit}")]
     Expansions {

@@ -7,6 +7,7 @@
 //! interned in a [`BeliefSpace`] and each (belief, symbol) is worked out once, for every solver.
 
 pub mod diagram;
+pub mod pairwise;
 mod space;
 mod state_sets;
 mod subsets;

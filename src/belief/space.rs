@@ -64,6 +64,11 @@ impl BeliefSpace {
         self.sampling = Some(keep);
     }
 
+    /// From now on a belief that outgrows its list is more than memory allows.
+    pub(crate) fn keep_listed(&mut self) {
+        self.sets.keep_listed();
+    }
+
     /// Whether a belief has outgrown its list.
     pub(crate) fn has_unlisted(&self) -> bool {
         self.sets.has_unlisted()

@@ -55,6 +55,8 @@ pub struct StateSets {
     /// Which sets are not listed.
     large: FixedBitSet,
     found: Vec<Successor>,
+    /// No set may outgrow its list.
+    listed_only: bool,
 }
 
 impl StateSets {
@@ -68,7 +70,13 @@ impl StateSets {
             unlisted: None,
             large: FixedBitSet::new(),
             found: Vec::new(),
+            listed_only: false,
         }
+    }
+
+    /// From now on a set that outgrows its list is more than memory allows.
+    pub(crate) fn keep_listed(&mut self) {
+        self.listed_only = true;
     }
 
     /// How many sets have been met.
@@ -207,6 +215,9 @@ impl StateSets {
         limits: &Limits,
         relations: impl FnOnce() -> SymbolRelations,
     ) -> Result<BeliefId, LimitReached> {
+        if self.listed_only {
+            return Err(LimitReached::Listed { limit: self.most as u64 });
+        }
         let unlisted = unlisted(&mut self.unlisted, states, limits, relations);
         let from = match unlisted.of_sets.get(&set) {
             Some(&known) => known,

@@ -88,6 +88,8 @@ export interface Outcome {
   cost?: number;
   goals: ByObserver<string[]> | null;
   goal_difference: number | null;
+  /** The goals of which it is not known whether they are possible, where beliefs are too large to be worked out: they are among the friend's and not among the enemy's. */
+  unsettled?: ByObserver<string[]>;
   /** Of `exact` and `ip`: no plan can be better than `bound`, and the plan found is at most `gap` worse. */
   bound?: number;
   gap?: number;
@@ -111,7 +113,7 @@ export interface Outcome {
   limit?: string;
   stats: {
     states: number; beliefs: number; seconds: number;
-    expansions?: number; generated?: number; belief_size?: number;
+    expansions?: number; generated?: number; belief_size?: number; walks?: number; walks_found?: number; settled_by_pairs?: number; settled_by_beliefs?: number;
     nodes?: number; iterations?: number; variables?: number; rows?: number;
   };
 }

@@ -136,6 +136,18 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
             names.join(", ")
         );
     }
+    for (observer, set) in problem.observers().iter().zip(outcome.unsettled.iter().flatten()) {
+        if !set.is_empty() {
+            let names: Vec<&str> =
+                set.iter().map(|goal| problem.goals()[goal].name.as_str()).collect();
+            let names = names.join(", ");
+            let _ = writeln!(
+                text,
+                "  not known for {}, whose beliefs are too large: {names}",
+                observer.name
+            );
+        }
+    }
     if let Some(points) = &report.pairs {
         let which = match report.pairs_complete {
             Some(false) => "pairs found so far, not all",

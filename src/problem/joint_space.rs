@@ -143,6 +143,11 @@ impl JointSpace {
         self.beliefs[observer].sample(keep);
     }
 
+    /// From now on a belief that outgrows its list is more than memory allows.
+    pub(crate) fn keep_listed(&mut self) {
+        self.beliefs.iter_mut().for_each(BeliefSpace::keep_listed);
+    }
+
     /// Whether a belief has outgrown its list.
     pub(crate) fn has_unlisted(&self) -> bool {
         self.beliefs.iter().any(BeliefSpace::has_unlisted)

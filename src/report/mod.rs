@@ -74,7 +74,10 @@ pub struct SolveReport {
     pub cost: Option<u64>,
     /// The goals that survive for each observer.
     pub goals: Option<ByObserver<Vec<String>>>,
-    /// The goal difference, from −1 to 1.
+    /// For each observer the goals of which it is not known whether they survive, where there are any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unsettled: Option<ByObserver<Vec<String>>>,
+    /// The goal difference, from −1 to 1; at least this where goals are unsettled.
     pub goal_difference: Option<f64>,
     /// A proved upper bound on the goal difference; not there where none is known.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -181,6 +184,18 @@ pub struct StatsReport {
     /// The size of approximate beliefs (Δ) at the end of a search.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub belief_size: Option<u64>,
+    /// Walks beside plans that were looked for to show that a goal survives for an enemy.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub walks: Option<u64>,
+    /// Walks found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub walks_found: Option<u64>,
+    /// How often a friend's bounds were settled by pairs of values alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub settled_by_pairs: Option<u64>,
+    /// How often a friend's belief had to be worked out for its bounds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub settled_by_beliefs: Option<u64>,
     /// Wall-clock seconds, where somebody measured them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seconds: Option<f64>,
@@ -281,6 +296,7 @@ impl SolveReport {
             plan: None,
             cost: None,
             goals: None,
+            unsettled: None,
             goal_difference: None,
             bound: None,
             gap: None,
@@ -318,6 +334,10 @@ impl SolveReport {
             cost: outcome.plan.as_ref().and_then(|plan| plan.cost(task)),
             goals: outcome
                 .survivors
+                .as_ref()
+                .map(|sets| ByObserver::new(problem, |i| goal_names(problem, &sets[i]))),
+            unsettled: outcome
+                .unsettled
                 .as_ref()
                 .map(|sets| ByObserver::new(problem, |i| goal_names(problem, &sets[i]))),
             goal_difference: outcome.goal_difference,
@@ -375,6 +395,7 @@ impl StatsReport {
             solver,
             Solver::Search | Solver::Satisficing | Solver::Obfuscate | Solver::Legible
         );
+        let shown = |count: u64| (count > 0).then_some(count);
         Self {
             expansions: (!program).then_some(stats.expansions),
             generated: (!program).then_some(stats.generated),
@@ -385,6 +406,10 @@ impl StatsReport {
             variables: program.then_some(stats.variables),
             rows: program.then_some(stats.rows),
             belief_size: search.then_some(stats.belief_size),
+            walks: shown(stats.walks),
+            walks_found: shown(stats.walks).map(|_| stats.walks_found),
+            settled_by_pairs: shown(stats.settled_by_pairs),
+            settled_by_beliefs: shown(stats.settled_by_beliefs),
             seconds: None,
         }
     }

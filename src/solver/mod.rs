@@ -30,6 +30,7 @@ mod ip;
 mod optimiser;
 mod options;
 mod outcome;
+mod parallel_walks;
 mod portfolio;
 pub mod remedy;
 mod run;

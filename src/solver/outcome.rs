@@ -79,6 +79,14 @@ pub struct Stats {
     pub rows: u64,
     /// The size of approximate beliefs (Δ) at the end of a search.
     pub belief_size: u64,
+    /// Walks beside plans that were looked for to show that a goal survives for an enemy.
+    pub walks: u64,
+    /// Walks found.
+    pub walks_found: u64,
+    /// How often a friend's bounds were settled by pairs of values alone.
+    pub settled_by_pairs: u64,
+    /// How often a friend's belief had to be worked out for its bounds.
+    pub settled_by_beliefs: u64,
 }
 
 impl Stats {
@@ -95,6 +103,10 @@ impl Stats {
         self.generated += earlier.generated;
         self.nodes += earlier.nodes;
         self.iterations += earlier.iterations;
+        self.walks += earlier.walks;
+        self.walks_found += earlier.walks_found;
+        self.settled_by_pairs += earlier.settled_by_pairs;
+        self.settled_by_beliefs += earlier.settled_by_beliefs;
     }
 }
 
@@ -157,6 +169,10 @@ pub struct Outcome {
     pub plan: Option<Plan>,
     /// The goals that survive for each observer at its end.
     pub survivors: Option<Vec<GoalSet>>,
+    /// The goals of which it is not known whether they survive, for each observer, where there are any: the plan keeps the
+    /// bounds whichever do. They are among the survivors of a friend and not among those of an enemy, so the goal difference
+    /// may be greater.
+    pub unsettled: Option<Vec<GoalSet>>,
     /// Its goal difference.
     pub goal_difference: Option<f64>,
     /// A proved upper bound on the goal difference of all plans that keep what is asked, where there

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::limits::LimitReached;
 use crate::plan::PlanError;
 use crate::problem::Problem;
-use crate::trace::{Achievement, InvalidPlan, validate_with};
+use crate::trace::{Achievement, InvalidPlan, validate_with, validate_within};
 
 use super::engine::{Advance, Engine, Finding};
 use super::error::SolveError;
@@ -33,6 +33,10 @@ fn slice(solver: Solver) -> u64 {
         }
     }
 }
+
+/// Bytes of the belief of an observer whose bounds walks or pairs have settled: all that it still tells is which of the other
+/// goals survive.
+const BYTES_OF_DETAILS: u64 = 32 << 20;
 
 /// A solver at work.
 ///
@@ -137,7 +141,7 @@ impl Run {
             }
             #[cfg(feature = "full")]
             (Solver::Search | Solver::Obfuscate | Solver::Legible, horizon) => {
-                Box::new(algorithm1::engine(problem, options, horizon))
+                Box::new(algorithm1::engine(problem, options, horizon, false))
             }
             #[cfg(feature = "full")]
             (Solver::Satisficing, horizon) => Box::new(Portfolio::new(problem, options, horizon)),
@@ -311,6 +315,7 @@ fn conclude(
         horizon,
         plan: None,
         survivors: None,
+        unsettled: None,
         goal_difference: None,
         bound: finding.bound,
         length_proved: finding.length_proved,
@@ -321,11 +326,17 @@ fn conclude(
         stats,
     };
     let replay = |plan| {
-        let achieved: Achievement =
-            validate_with(problem, plan, &finding.witnesses).map_err(|error| match error {
-                InvalidPlan::Step(PlanError::TooLarge { .. }) => SolveError::TooLargeToReplay,
-                error => SolveError::Replay(error.to_string()),
-            })?;
+        // What a proof rests on is worked out in full.
+        let achieved = if finding.status == Status::Solved && !finding.witnesses.is_empty() {
+            let limits = options.limits.with_bytes(options.limits.bytes.min(BYTES_OF_DETAILS));
+            validate_within(problem, plan, &finding.witnesses, limits)
+        } else {
+            validate_with(problem, plan, &finding.witnesses)
+        };
+        let achieved: Achievement = achieved.map_err(|error| match error {
+            InvalidPlan::Step(PlanError::TooLarge { .. }) => SolveError::TooLargeToReplay,
+            error => SolveError::Replay(error.to_string()),
+        })?;
         if !bounds.allow(achieved.counts, &achieved.survivors) {
             return Err(SolveError::Replay("it breaks the bounds".to_owned()));
         }
@@ -354,6 +365,9 @@ fn conclude(
         outcome.goal_difference = Some(problem.goal_difference(achieved.counts));
         if finding.status == Status::Optimal {
             outcome.bound = outcome.goal_difference;
+        }
+        if achieved.unsettled.iter().any(|goals| !goals.is_empty()) {
+            outcome.unsettled = Some(achieved.unsettled);
         }
         outcome.survivors = Some(achieved.survivors);
         outcome.plan = Some(plan.clone());

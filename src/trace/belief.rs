@@ -133,6 +133,7 @@ impl TracedBelief {
         sensor: &Sensor,
         seen: Symbol,
         most: usize,
+        limits: Limits,
     ) -> Result<(), LimitReached> {
         if let Form::Listed(states) = &mut self.0 {
             let mut next: FxHashSet<Box<[u64]>> = FxHashSet::default();
@@ -152,7 +153,7 @@ impl TracedBelief {
                 states.sort_unstable();
                 return Ok(());
             }
-            let mut diagrams = Diagrams::new(Arc::clone(task), Limits::default());
+            let mut diagrams = Diagrams::new(Arc::clone(task), limits);
             let set = diagrams.of_states(states)?;
             let relations = SymbolRelations::new(task, sensor);
             self.0 = Form::Diagram(Box::new(Unlisted { diagrams, relations, set }));

@@ -9,6 +9,7 @@ mod belief;
 mod elimination;
 mod nearest;
 mod reachable_goals;
+mod settle;
 #[cfg(test)]
 mod tests;
 mod validator;
@@ -18,14 +19,17 @@ pub use belief::TracedBelief;
 pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
 pub use nearest::{Nearest, nearest};
 pub use reachable_goals::ReachableGoals;
+pub use settle::validate_within;
 pub use validator::{Achievement, InvalidPlan, validate, validate_with};
 pub use witness::Witness;
 
 use crate::belief::StateCount;
 use crate::belief::diagram::suits;
 use crate::goal_difference::GoalSet;
+use crate::limits::Limits;
 use crate::plan::{Plan, PlanError, execute};
 use crate::problem::{Observer, Problem};
+use crate::sensor::Symbol;
 use crate::task::{Action, OperatorId, State, Task};
 
 /// The most believed states that a trace keeps, over all steps and observers; and the most of one
@@ -138,14 +142,19 @@ impl<'a> Replay<'a> {
         Ok(Self { problem, operators, path, states, at: 0, beliefs, listed, all_alive })
     }
 
+    /// What an observer sees of the plan.
+    fn symbols(&self, observer: &Observer) -> Vec<Symbol> {
+        let task = self.problem.task();
+        let read = |(&operator, after): (&OperatorId, &State)| {
+            observer.sensor.read(task, operator, after.words())
+        };
+        self.path.iter().zip(&self.states[1..]).map(read).collect()
+    }
+
     /// Leaves the beliefs of the observers out for whom witnesses show that every goal survives in the end.
     fn leave_out_all_alive(&mut self, witnesses: &[Witness]) {
-        let task = self.problem.task();
         for (place, observer) in self.problem.observers().iter().enumerate() {
-            let read = |(&operator, after): (&OperatorId, &State)| {
-                observer.sensor.read(task, operator, after.words())
-            };
-            let seen: Vec<_> = self.path.iter().zip(&self.states[1..]).map(read).collect();
+            let seen = self.symbols(observer);
             let mut alive = GoalSet::none(self.problem.goals().len());
             for witness in witnesses.iter().filter(|witness| witness.observer == place) {
                 if witness.holds(self.problem, &seen) {
@@ -188,7 +197,7 @@ impl<'a> Replay<'a> {
             let seen = sensor.read(task, operator, self.states[self.at].words());
             if !all_alive {
                 belief
-                    .update(task, &self.operators, sensor, seen, self.listed)
+                    .update(task, &self.operators, sensor, seen, self.listed, Limits::default())
                     .map_err(|_| PlanError::TooLarge { step: self.at })?;
             }
             symbols.push(Some(sensor.name(seen).to_owned()));

@@ -15,6 +15,9 @@ pub struct Achievement {
     pub survivors: Vec<GoalSet>,
     /// How many survive for each side.
     pub counts: SurvivorCounts,
+    /// By observer the goals of which it is not known whether they survive, where a limit came before that: they are among
+    /// the survivors of a friend and not among those of an enemy.
+    pub unsettled: Vec<GoalSet>,
 }
 
 /// Why a plan is no solution.
@@ -56,5 +59,6 @@ pub fn validate_with(
     while replay.step()?.is_some() {}
     let survivors = replay.survivors();
     let counts = problem.survivor_counts(&survivors);
-    Ok(Achievement { survivors, counts })
+    let unsettled = vec![GoalSet::none(problem.goals().len()); survivors.len()];
+    Ok(Achievement { survivors, counts, unsettled })
 }

@@ -27,11 +27,12 @@ const ENGINES: &[Arrows] = &[
     ("explorer", &["engine", "ground", "options", "outcome"]),
     ("ip", &["engine", "ground", "options", "outcome"]),
     ("optimiser", &["engine", "ground", "options", "outcome"]),
+    ("parallel_walks", &["engine", "options", "outcome"]),
 ];
 
 /// What is made of several engines.
 const COMPOSITIONS: &[Arrows] = &[
-    ("portfolio", &["algorithm1", "engine", "optimiser", "options", "outcome"]),
+    ("portfolio", &["algorithm1", "engine", "optimiser", "options", "outcome", "parallel_walks"]),
     ("remedy", &["engine", "error", "explorer", "ground", "optimiser", "options", "outcome"]),
 ];
 

@@ -69,13 +69,18 @@ struct Beliefs {
     scratch: Vec<u32>,
 }
 
-/// The search on a problem, for plans of any length or of exactly `horizon` actions.
+/// The search on a problem, for plans of any length or of exactly `horizon` actions. With `listed_only` it ends with the
+/// memory limit where a belief outgrows its list.
 pub(in crate::solver) fn engine(
     problem: Arc<Problem>,
     options: &Options,
     horizon: Option<usize>,
+    listed_only: bool,
 ) -> impl Engine + use<> {
-    let joint = JointSpace::new(problem, options.limits);
+    let mut joint = JointSpace::new(problem, options.limits);
+    if listed_only {
+        joint.keep_listed();
+    }
     let observers = joint.problem().observers().len();
     BestFirst::new(Beliefs {
         values: GoalValues::new(&joint),

@@ -19,7 +19,7 @@ fn run(
     let mut portfolio = Portfolio::with_greedy_nodes(nodes, problem, &options, horizon);
     let mut exact = false;
     for _ in 0..100_000 {
-        exact |= matches!(portfolio.stage, Stage::Optimiser(_));
+        exact |= matches!(portfolio.stage, Stage::Optimiser(..));
         match portfolio.advance(budget).unwrap() {
             Advance::Working => {}
             Advance::Finished(Finding { status, plan, .. }) => {

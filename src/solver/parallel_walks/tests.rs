@@ -1,0 +1,81 @@
+//! What the walks find is held against the definitions by enumeration: plans and witnesses alike.
+
+use super::*;
+use crate::domain::generate::Domain;
+use crate::solver::Solver;
+use crate::solver::common::random::{self, MEDIUM, PAIR};
+use crate::solver::common::{Dice, Judge};
+use crate::trace::{validate, validate_within};
+
+/// Runs the walks to their end: the plan and the witnesses, where they find one.
+fn run(problem: &Arc<Problem>, options: &Options, budget: u64) -> Option<(Plan, Vec<Witness>)> {
+    let mut walks = ParallelWalks::new(problem, options);
+    for _ in 0..1_000_000 {
+        match walks.advance(budget) {
+            Ok(Advance::Working) => {}
+            Ok(Advance::Finished(finding)) => return finding.plan.map(|p| (p, finding.witnesses)),
+            Err(_) => return None,
+        }
+    }
+    panic!("no end");
+}
+
+#[test]
+fn plans_keep_the_bounds_and_witnesses_hold_on_random_problems() {
+    let mut dice = Dice::new(90);
+    let (mut found, mut possible) = (0, 0);
+    for round in 0..4_000 {
+        let third = [Role::Adversarial, Role::Adversarial, Role::Cooperative];
+        let roles = if round % 8 == 0 { &third[..] } else { &PAIR[..] };
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, roles), 0);
+        let wish = random::wish(&mut dice, &judge.table);
+        let options = Judge::options(Solver::Satisficing, None, &wish);
+        if !suits(&judge.problem, &options.heeded_bounds(), None) {
+            continue;
+        }
+        possible +=
+            usize::from(judge.endings().keys().any(|ending| wish.allows(&judge.table, ending)));
+        let plan = run(&judge.problem, &options, 1);
+        assert_eq!(plan, run(&judge.problem, &options, 100), "slices change nothing");
+        let Some((plan, witnesses)) = plan else { continue };
+        found += 1;
+        assert!(wish.allows(&judge.table, &judge.ending(&plan)));
+        let full = validate(&judge.problem, &plan).unwrap();
+        let within = validate_within(&judge.problem, &plan, &witnesses, options.limits).unwrap();
+        assert_eq!(within, full);
+        for witness in witnesses {
+            assert!(full.survivors[witness.observer].contains(witness.goal));
+        }
+    }
+    assert!(found > 100 && 4 * found > possible, "{found} of {possible}");
+}
+
+#[test]
+fn drawn_logistics_and_driverlog_mostly_have_walks() {
+    for domain in [Domain::Logistics, Domain::Driverlog] {
+        let mut found = 0;
+        for seed in 1..=10 {
+            let problem = Arc::new(domain.draw(seed).unwrap().document.problem().unwrap());
+            let mut options = Options::new(Solver::Satisficing);
+            let middle = problem.goals().len().div_ceil(2).max(2);
+            options.bounds.at_least = Some(middle);
+            options.bounds.at_most = Some(middle);
+            let Some((plan, witnesses)) = run(&problem, &options, 1) else { continue };
+            found += 1;
+            let full = validate(&problem, &plan).unwrap();
+            assert!(full.counts.adversarial >= middle && full.counts.cooperative <= middle);
+            // With no room for beliefs, what is settled is true, and the rest is what the actor does not want.
+            let limits = options.limits.with_bytes(0);
+            let within = validate_within(&problem, &plan, &witnesses, limits).unwrap();
+            for (place, observer) in problem.observers().iter().enumerate() {
+                let (all, some) = (&full.survivors[place], &within.survivors[place]);
+                for goal in 0..problem.goals().len() {
+                    let settled = !within.unsettled[place].contains(goal);
+                    assert!(!settled || all.contains(goal) == some.contains(goal));
+                    assert!(settled || some.contains(goal) == (observer.role == Role::Cooperative));
+                }
+            }
+        }
+        assert!(found >= 5, "{} {found}", domain.name());
+    }
+}
