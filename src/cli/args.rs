@@ -422,7 +422,7 @@ fn named<T: Copy>(
     found.ok_or_else(|| format!("found {text}, expected one of {}", names.join(", ")))
 }
 
-fn solver(text: &str) -> Result<Solver, String> {
+pub fn solver(text: &str) -> Result<Solver, String> {
     named(text, &Solver::ALL, Solver::name, Solver::named(text))
 }
 

@@ -75,6 +75,12 @@ pub fn document(path: &Path) -> Result<(Document, Arc<Problem>), CliError> {
     parsed(path, &text(path)?)
 }
 
+/// A document alone.
+pub fn document_alone(path: &Path) -> Result<Document, CliError> {
+    let text = text(path)?;
+    Document::parse(&text).map_err(|error| placed(path, &text, error))
+}
+
 fn parsed(path: &Path, text: &str) -> Result<(Document, Arc<Problem>), CliError> {
     let wrong = |error: DocumentError| placed(path, text, error);
     let document = Document::parse(text).map_err(wrong)?;

@@ -7,20 +7,25 @@ use std::time::{Duration, Instant};
 
 use super::configuration::{HORIZON_STEP, Lengths};
 use super::record::{Asked, Record};
+use super::series::{Attempt, Ended};
 use super::{ExperimentError, Job, Setting};
 use crate::limits::LimitReached;
 use crate::problem::Problem;
 use crate::solver::{Horizon, Options, Outcome, SolveError, Status, shortest_plan_length, solve};
 
-/// How an attempt ended.
-#[derive(Debug)]
-pub enum Ended {
-    /// With an answer.
-    Answered(Box<Record>),
-    /// It would take more memory than it was given.
-    MoreMemory,
-    /// Somebody asked for the run to stop.
-    Stopped,
+impl Attempt<Self> for Setting {
+    fn memory_mib(&self) -> u64 {
+        self.limits.memory_mib
+    }
+
+    fn attempt(
+        &self,
+        job: &Job,
+        bytes: u64,
+        stop: &AtomicBool,
+    ) -> Result<Ended<Record>, ExperimentError> {
+        attempt(self, job, bytes, stop)
+    }
 }
 
 /// Draws the problem of a job and has it solved, with so many bytes of states, beliefs and nodes.
@@ -28,12 +33,12 @@ pub enum Ended {
 /// # Errors
 ///
 /// The problem cannot be drawn, or the solver breaks down.
-pub fn attempt(
+fn attempt(
     setting: &Setting,
     job: &Job,
     bytes: u64,
     stop: &AtomicBool,
-) -> Result<Ended, ExperimentError> {
+) -> Result<Ended<Record>, ExperimentError> {
     let domain = job.domain.domain;
     let seed = setting.seed_of(job.problem);
     let drawn = domain

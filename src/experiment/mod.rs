@@ -7,9 +7,13 @@
 //! - [`Summary`] is what the records come to, and [`output`] writes it down: `results.json`, tables
 //!   and figures.
 //!
+//! [`benchmarks`] are solvers on other people's problems; what they share with the paper's experiments is
+//! a [`Series`](series::Series).
+//!
 //! Records are the same for the same setting, but for seconds, whatever the threads and shards.
 
 mod attempt;
+pub mod benchmarks;
 mod configuration;
 mod domains;
 mod error;
@@ -19,6 +23,7 @@ pub mod output;
 mod record;
 pub mod records;
 mod run;
+pub mod series;
 mod setting;
 pub mod statistics;
 mod summary;

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::series::{SeriesHeader, SeriesRecord};
 use super::{ExperimentError, Figure, InitialBeliefs, Job, Setting, SettingLimits, Shard};
 use crate::goal_difference::GoalSet;
 use crate::problem::{Problem, Role};
@@ -75,7 +76,7 @@ impl Header {
             (format!("{option} {found}"), expected)
         })?;
         let ours = Self::new(&setting, self.shard);
-        match self.difference(&ours) {
+        match self.first_difference(&ours) {
             Some((field, found, expected)) => {
                 Err((format!("{field} {found}"), format!("{field} {expected}")))
             }
@@ -84,7 +85,7 @@ impl Header {
     }
 
     /// The first field in which it differs from another: its name, what is here, what is there.
-    pub fn difference(&self, other: &Self) -> Option<(&'static str, String, String)> {
+    fn first_difference(&self, other: &Self) -> Option<(&'static str, String, String)> {
         let (a, b) = (&self.limits, &other.limits);
         let limit = |limit: Option<u64>| limit.map_or("none".to_owned(), |n| n.to_string());
         let fields = [
@@ -210,7 +211,7 @@ pub struct Survivors {
 }
 
 impl Survivors {
-    fn new(problem: &Problem, sets: &[GoalSet]) -> Self {
+    pub(super) fn new(problem: &Problem, sets: &[GoalSet]) -> Self {
         let of = |role: Role| {
             let observers = problem.observers().iter().zip(sets);
             let set = observers.filter(|(o, _)| o.role == role).map(|(_, set)| set).next();
@@ -261,7 +262,7 @@ fn is_zero(number: &u64) -> bool {
 }
 
 impl Work {
-    fn new(stats: &Stats) -> Self {
+    pub(super) fn new(stats: &Stats) -> Self {
         Self {
             expansions: stats.expansions,
             generated: stats.generated,
@@ -276,8 +277,11 @@ impl Work {
     }
 }
 
-/// How exactly seconds are written down.
-const PER_SECOND: f64 = 1e6;
+/// Seconds as they are written down: to the microsecond.
+pub(super) fn rounded(seconds: f64) -> f64 {
+    const PER_SECOND: f64 = 1e6;
+    (seconds * PER_SECOND).round() / PER_SECOND
+}
 
 impl Record {
     /// The record of an answer.
@@ -307,13 +311,27 @@ impl Record {
             goals: outcome.survivors.as_ref().map(|sets| Survivors::new(problem, sets)),
             plan: outcome.plan.as_ref().map(|plan| plan.names(problem.task())),
             work: Work::new(&outcome.stats),
-            seconds: (seconds * PER_SECOND).round() / PER_SECOND,
+            seconds: rounded(seconds),
         }
     }
+}
 
-    /// The record as a line.
-    pub fn line(&self) -> String {
-        // Only texts, numbers and lists: writing them cannot fail.
-        serde_json::to_string(self).unwrap_or_default()
+impl SeriesRecord for Record {
+    fn job_name(&self) -> String {
+        format!("{} {} {}", self.domain, self.problem, self.solver)
+    }
+}
+
+impl SeriesHeader for Header {
+    fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    fn with_shard(&self, shard: Shard) -> Self {
+        Self { shard, ..self.clone() }
+    }
+
+    fn difference(&self, other: &Self) -> Option<(&'static str, String, String)> {
+        self.first_difference(other)
     }
 }

@@ -5,20 +5,21 @@
 
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions};
-use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use fs4::{FileExt, TryLockError};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 
-use super::record::{Header, Record};
-use super::validity::check;
-use super::{ExperimentError, Job, Setting};
+use super::series::{Series, SeriesHeader, SeriesJob, SeriesRecord};
+use super::{ExperimentError, Record, Setting};
 
 /// A record and the line it was read from, which is kept as it is.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Entry {
+pub struct Entry<R = Record> {
     /// The record.
-    pub record: Record,
+    pub record: R,
     /// Its line, without the end.
     pub line: String,
     /// The number of the line, from 1.
@@ -26,13 +27,13 @@ pub struct Entry {
 }
 
 /// The records of a run by their places in it.
-pub type Entries = BTreeMap<usize, Entry>;
+pub type Entries<R = Record> = BTreeMap<usize, Entry<R>>;
 
 /// What a file of records says.
 #[derive(Debug)]
-pub struct Contents {
+pub struct Contents<H> {
     /// Its first line; none in a file that was stopped while it was written.
-    pub header: Option<Header>,
+    pub header: Option<H>,
     /// The lines after it that are whole.
     pub lines: Vec<(usize, String)>,
     /// How many bytes of the file are whole lines.
@@ -46,14 +47,25 @@ pub struct Contents {
 /// # Errors
 ///
 /// The file cannot be read, or does not begin as a file of records does.
-pub fn read(path: &Path) -> Result<Contents, ExperimentError> {
+pub fn read<H: DeserializeOwned>(path: &Path) -> Result<Contents<H>, ExperimentError> {
     let mut text = Vec::new();
     let read = File::open(path).and_then(|mut file| file.read_to_end(&mut text));
     read.map_err(|error| ExperimentError::file(path, error))?;
     contents(path, &text)
 }
 
-fn contents(path: &Path, bytes: &[u8]) -> Result<Contents, ExperimentError> {
+/// The experiment that a file of records says it belongs to, where its first line says one.
+pub fn experiment(path: &Path) -> Option<String> {
+    let mut line = String::new();
+    BufReader::new(File::open(path).ok()?).read_line(&mut line).ok()?;
+    let header: serde_json::Value = serde_json::from_str(&line).ok()?;
+    Some(header.get("experiment")?.as_str()?.to_owned())
+}
+
+fn contents<H: DeserializeOwned>(
+    path: &Path,
+    bytes: &[u8],
+) -> Result<Contents<H>, ExperimentError> {
     let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
     let torn = String::from_utf8_lossy(&bytes[whole..]).into_owned();
     let text = std::str::from_utf8(&bytes[..whole]).map_err(|error| {
@@ -99,57 +111,41 @@ fn short(line: &str) -> String {
 /// # Errors
 ///
 /// A line is no record of these jobs, or the second one of its job.
-pub fn entries(
+pub fn entries<S: Series>(
     path: &Path,
-    setting: &Setting,
-    jobs: &[Job],
+    series: &S,
+    jobs: &[S::Job],
     lines: Vec<(usize, String)>,
-) -> Result<Entries, ExperimentError> {
-    let key = |job: &Job| (job.domain.domain.name(), job.problem, job.configuration.name());
-    let known: BTreeMap<_, &Job> = jobs.iter().map(|job| (key(job), job)).collect();
+) -> Result<Entries<S::Record>, ExperimentError> {
+    let known: BTreeMap<String, &S::Job> = jobs.iter().map(|job| (job.name(), job)).collect();
     let mut entries = Entries::new();
     for (number, line) in lines {
-        let record: Record = serde_json::from_str(&line)
+        let record: S::Record = serde_json::from_str(&line)
             .map_err(|error| wrong(path, number, short(&line), format!("a record ({error})")))?;
-        let found = format!("{} {} {}", record.domain, record.problem, record.solver);
-        let job = known.get(&(record.domain.as_str(), record.problem, record.solver.as_str()));
+        let found = record.job_name();
+        let job = known.get(&found);
         let job = job.ok_or_else(|| wrong(path, number, found.clone(), "a record of this part"))?;
-        let seed = setting.seed_of(job.problem);
-        if record.seed != seed {
-            let found = format!("{found} of seed {}", record.seed);
-            return Err(wrong(path, number, found, format!("seed {seed}")));
-        }
-        check(&record, setting, job)
-            .map_err(|expected| wrong(path, number, found.clone(), expected))?;
-        if let Some(first) = entries.get(&job.place) {
+        series.check(&record, job).map_err(|(beside, expected)| {
+            wrong(path, number, format!("{found}{beside}"), expected)
+        })?;
+        if let Some(first) = entries.get(&job.place()) {
             let expected = format!("each record once; this one is on line {}", first.number);
             return Err(wrong(path, number, found, expected));
         }
-        entries.insert(job.place, Entry { record, line, number });
+        entries.insert(job.place(), Entry { record, line, number });
     }
     Ok(entries)
 }
 
-/// A job in a message.
-#[derive(Debug, Clone, Copy)]
-pub struct Shown<'a>(pub &'a Job);
-
-impl std::fmt::Display for Shown<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Job { domain, problem, configuration, .. } = self.0;
-        write!(f, "{} {problem} {}", domain.domain.name(), configuration.name())
-    }
-}
-
 /// The file a run writes.
 #[derive(Debug)]
-pub struct RecordFile {
+pub struct RecordFile<S: Series = Setting> {
     path: PathBuf,
     file: File,
-    entries: Entries,
+    entries: Entries<S::Record>,
 }
 
-impl RecordFile {
+impl<S: Series> RecordFile<S> {
     /// Opens the file of a run, or makes it. What is in it already is not done again.
     ///
     /// # Errors
@@ -157,9 +153,9 @@ impl RecordFile {
     /// Another run is writing the file, it belongs to another run, or it cannot be written.
     pub fn open(
         path: &Path,
-        header: &Header,
-        setting: &Setting,
-        jobs: &[Job],
+        header: &S::Header,
+        series: &S,
+        jobs: &[S::Job],
     ) -> Result<Self, ExperimentError> {
         let failed = |error| ExperimentError::file(path, error);
         let mut options = OpenOptions::new();
@@ -176,7 +172,7 @@ impl RecordFile {
         }
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(failed)?;
-        let contents = contents(path, &bytes)?;
+        let contents = contents::<S::Header>(path, &bytes)?;
         let first = serde_json::to_string(header).unwrap_or_default();
         let entries = match &contents.header {
             Some(found) => {
@@ -185,7 +181,7 @@ impl RecordFile {
                         format!("{field} {expected}; to begin another run choose another --out");
                     return Err(wrong(path, 1, format!("{field} {found}"), expected));
                 }
-                entries(path, setting, jobs, contents.lines)?
+                entries(path, series, jobs, contents.lines)?
             }
             None if first.starts_with(&contents.torn) => Entries::new(),
             None => {
@@ -203,7 +199,7 @@ impl RecordFile {
     }
 
     /// The records so far.
-    pub fn entries(&self) -> &Entries {
+    pub fn entries(&self) -> &Entries<S::Record> {
         &self.entries
     }
 
@@ -223,11 +219,11 @@ impl RecordFile {
     /// # Errors
     ///
     /// The file cannot be written.
-    pub fn add(&mut self, job: &Job, record: Record) -> Result<(), ExperimentError> {
+    pub fn add(&mut self, job: &S::Job, record: S::Record) -> Result<(), ExperimentError> {
         let line = record.line();
         self.write(&line)?;
         let number = self.entries.len() + 2;
-        self.entries.insert(job.place, Entry { record, line, number });
+        self.entries.insert(job.place(), Entry { record, line, number });
         Ok(())
     }
 }
@@ -238,10 +234,10 @@ impl RecordFile {
 /// # Errors
 ///
 /// The file cannot be written.
-pub fn write_sorted(
+pub fn write_sorted<R>(
     path: &Path,
-    header: &Header,
-    entries: &Entries,
+    header: &impl Serialize,
+    entries: &Entries<R>,
 ) -> Result<(), ExperimentError> {
     let mut text = serde_json::to_string(header).unwrap_or_default() + "\n";
     for entry in entries.values() {

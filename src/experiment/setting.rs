@@ -5,7 +5,8 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use super::configuration::Lengths;
-use super::{Configuration, ExperimentError, Figure, TestDomain};
+use super::series::{Series, SeriesJob};
+use super::{Configuration, ExperimentError, Figure, Header, Record, TestDomain, validity};
 
 /// The most problems of a domain.
 pub const MAX_PROBLEMS: u32 = 10_000;
@@ -132,6 +133,47 @@ impl Job {
     }
 }
 
+impl SeriesJob for Job {
+    fn place(&self) -> usize {
+        self.place
+    }
+
+    fn deal(&self) -> usize {
+        self.column_first
+    }
+
+    fn name(&self) -> String {
+        let Self { domain, problem, configuration, .. } = self;
+        format!("{} {problem} {}", domain.domain.name(), configuration.name())
+    }
+}
+
+impl Series for Setting {
+    type Job = Job;
+    type Header = Header;
+    type Record = Record;
+
+    fn jobs(&self) -> Vec<Job> {
+        self.jobs()
+    }
+
+    fn header(&self, shard: Shard) -> Header {
+        Header::new(self, shard)
+    }
+
+    fn of_header(header: &Header) -> Result<Self, (String, String)> {
+        header.setting()
+    }
+
+    fn check(&self, record: &Record, job: &Job) -> Result<(), (String, String)> {
+        let seed = self.seed_of(job.problem);
+        if record.seed != seed {
+            return Err((format!(" of seed {}", record.seed), format!("seed {seed}")));
+        }
+        validity::check(record, self, job).map_err(|expected| (String::new(), expected))
+    }
+}
+
 impl Setting {
     /// The paper's: 30 problems of each domain.
     pub fn new(figure: Figure) -> Self {
@@ -228,8 +270,8 @@ impl Shard {
 
     /// Whether a job belongs to this part. The problems of a domain and a solver are dealt out one
     /// by one, so that the parts take about as long as each other.
-    pub fn holds(self, job: &Job) -> bool {
-        job.column_first % self.of as usize + 1 == self.number as usize
+    pub fn holds(self, job: &impl SeriesJob) -> bool {
+        job.deal() % self.of as usize + 1 == self.number as usize
     }
 }
 

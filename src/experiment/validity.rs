@@ -10,7 +10,7 @@ const MAX_SECONDS: f64 = 1e9;
 
 /// How far a goal difference read from a file may be from the one that follows from its goals:
 /// digits can be lost on the way through a text.
-const ROUNDING: f64 = 1e-9;
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// Checks the record of a job.
 ///
@@ -20,9 +20,7 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn check(record: &Record, setting: &Setting, job: &Job) -> Result<(), String> {
     plan(record)?;
     status(record, job.configuration)?;
-    if !(0.0..=MAX_SECONDS).contains(&record.seconds) {
-        return Err(format!("seconds from 0 to {MAX_SECONDS}, not {:e}", record.seconds));
-    }
+    seconds(record.seconds)?;
     if !(2..=MAX_GOALS).contains(&record.candidates) {
         return Err(format!("2 to {MAX_GOALS} candidate goals, not {}", record.candidates));
     }
@@ -41,6 +39,14 @@ pub(super) fn check(record: &Record, setting: &Setting, job: &Job) -> Result<(),
         (Some(goals), Some(found)) => survivors(record, goals, found),
         _ => Ok(()),
     }
+}
+
+/// Seconds that a solver can have taken.
+pub(super) fn seconds(seconds: f64) -> Result<(), String> {
+    if (0.0..=MAX_SECONDS).contains(&seconds) {
+        return Ok(());
+    }
+    Err(format!("seconds from 0 to {MAX_SECONDS}, not {seconds:e}"))
 }
 
 /// A plan, and what follows from it, must be there where the status says so.
@@ -83,6 +89,18 @@ fn status(record: &Record, configuration: Configuration) -> Result<(), String> {
 fn survivors(record: &Record, goals: &Survivors, found: f64) -> Result<(), String> {
     let Survivors { adversarial, cooperative } = goals;
     let (candidates, asked) = (record.candidates, &record.options);
+    sets(candidates, goals)?;
+    if asked.k.is_some_and(|k| adversarial.len() < k.min(candidates))
+        || asked.j.is_some_and(|j| cooperative.len() > j)
+    {
+        return Err("surviving goals that keep k and j".to_owned());
+    }
+    difference(candidates, goals, found)
+}
+
+/// Each goal survives once for an observer, and one of them, the true one, for both.
+pub(super) fn sets(candidates: usize, goals: &Survivors) -> Result<(), String> {
+    let Survivors { adversarial, cooperative } = goals;
     for side in [adversarial, cooperative] {
         let mut names: Vec<&String> = side.iter().collect();
         names.sort_unstable();
@@ -94,12 +112,13 @@ fn survivors(record: &Record, goals: &Survivors, found: f64) -> Result<(), Strin
     if !adversarial.iter().any(|goal| cooperative.contains(goal)) {
         return Err("a true goal that survives for both observers".to_owned());
     }
-    if asked.k.is_some_and(|k| adversarial.len() < k.min(candidates))
-        || asked.j.is_some_and(|j| cooperative.len() > j)
-    {
-        return Err("surviving goals that keep k and j".to_owned());
-    }
-    let expected = goal_difference(adversarial.len(), cooperative.len(), candidates);
+    Ok(())
+}
+
+/// The goal difference is the one of the goals that survive.
+pub(super) fn difference(candidates: usize, goals: &Survivors, found: f64) -> Result<(), String> {
+    let (enemy, friend) = (goals.adversarial.len(), goals.cooperative.len());
+    let expected = goal_difference(enemy, friend, candidates);
     // Written so that no number at all is no match either.
     if (found - expected).abs() <= ROUNDING {
         return Ok(());

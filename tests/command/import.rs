@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::mo_copp;
 
-const FILES: [(&str, &str); 5] = [
+pub const FILES: [(&str, &str); 5] = [
     (
         "domain.pddl",
         "(define (domain towers) (:predicates (on ?x ?y) (clear ?x) (table ?x))
@@ -41,7 +41,7 @@ fn problem(name: &str) -> PathBuf {
     folder
 }
 
-fn tarred(names: &[(&str, &[u8])]) -> Vec<u8> {
+pub fn tarred(names: &[(&str, &[u8])]) -> Vec<u8> {
     let mut archive = tar::Builder::new(Vec::new());
     for (name, bytes) in names {
         let mut header = tar::Header::new_gnu();
@@ -74,7 +74,7 @@ fn gzipped(bytes: &[u8]) -> Vec<u8> {
     packer.finish().unwrap()
 }
 
-fn bzipped(bytes: &[u8]) -> Vec<u8> {
+pub fn bzipped(bytes: &[u8]) -> Vec<u8> {
     let mut packer = bzip2::write::BzEncoder::new(Vec::new(), bzip2::Compression::fast());
     packer.write_all(bytes).unwrap();
     packer.finish().unwrap()

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::missing_panics_doc)]
 
 mod bad_input;
+mod benchmarks;
 mod encode;
 mod exercise;
 mod experiment;

@@ -6,6 +6,7 @@ use mo_copp::experiment::output::{
     anova_csv, figures, markdown, records_csv, relative_csv, summary_csv, write,
 };
 use mo_copp::experiment::records::{Entries, Entry};
+use mo_copp::experiment::series::SeriesRecord;
 use mo_copp::experiment::{Asked, Record, Setting, Summary, Survivors, Work};
 
 use super::{fig3, fig4, folder};

@@ -25,13 +25,13 @@ fn three_parts_merged_are_the_whole() {
         let files = parts(&name, &setting, 3);
         let whole = folder("whole").join("records.jsonl");
         work(&whole, &setting, Shard::WHOLE, 2);
-        let (merged, entries) = merge(&files).unwrap();
+        let (merged, entries) = merge::<Setting>(&files).unwrap();
         assert_eq!(merged, setting);
         let path = files[0].with_file_name("records.jsonl");
         write_sorted(&path, &Header::new(&merged, Shard::WHOLE), &entries).unwrap();
         assert_eq!(records(&path, &setting, Shard::WHOLE), records(&whole, &setting, Shard::WHOLE));
         // What is merged can be merged again, and gone on with.
-        assert_eq!(merge(std::slice::from_ref(&path)).unwrap().1.len(), entries.len());
+        assert_eq!(merge::<Setting>(std::slice::from_ref(&path)).unwrap().1.len(), entries.len());
         assert_eq!(work(&path, &setting, Shard::WHOLE, 1), 0);
     }
 }
@@ -59,14 +59,14 @@ fn every_job_is_in_one_part_and_parts_are_alike() {
 /// What merging says, with the folder left out.
 fn refused(files: &[PathBuf]) -> String {
     let folder = format!("{}/", files[0].parent().unwrap().display());
-    merge(files).unwrap_err().to_string().replace(&folder, "")
+    merge::<Setting>(files).unwrap_err().to_string().replace(&folder, "")
 }
 
 #[test]
 fn what_does_not_fit_together_is_refused() {
     let setting = fig3(2);
     let files = parts("refused-parts", &setting, 3);
-    assert!(merge(&files).is_ok());
+    assert!(merge::<Setting>(&files).is_ok());
     assert_eq!(
         refused(&files[..2]),
         "4 of 12 records are missing, the first of them: gridworld 1 ip of shard 3/3; run what \
@@ -106,7 +106,7 @@ fn what_does_not_fit_together_is_refused() {
     std::fs::write(&files[2], "").unwrap();
     let said = refused(&files);
     assert!(said.ends_with("found no whole line, expected the header of a file of records"));
-    assert!(merge(&[]).is_err());
+    assert!(merge::<Setting>(&[]).is_err());
 }
 
 #[test]
@@ -123,7 +123,7 @@ fn a_header_of_no_known_run_is_refused() {
         ("\"version\":\"", "\"version\":\"9.", "found version 9.0"),
     ] {
         std::fs::write(&path, good.replacen(from, to, 1)).unwrap();
-        let said = merge(std::slice::from_ref(&path)).unwrap_err().to_string();
+        let said = merge::<Setting>(std::slice::from_ref(&path)).unwrap_err().to_string();
         assert!(said.contains(message), "{said}");
     }
 }

@@ -1,6 +1,6 @@
 //! Records that cannot be: merging refuses them with the line, what is there and what should be.
 
-use mo_copp::experiment::{Shard, merge};
+use mo_copp::experiment::{Setting, Shard, merge};
 use serde_json::{Value, json};
 
 use super::{fig3, folder, work};
@@ -21,7 +21,7 @@ fn said(solver: &str, changes: &[(&str, Value)]) -> String {
         changed += &(record.to_string() + "\n");
     }
     std::fs::write(&path, changed).unwrap();
-    match merge(std::slice::from_ref(&path)) {
+    match merge::<Setting>(std::slice::from_ref(&path)) {
         Ok(_) => "merged".to_owned(),
         Err(error) => error.to_string().replace(&path.display().to_string(), "FILE"),
     }

@@ -3,9 +3,12 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
+use mo_copp::domain::pddl::import::ImportOptions;
+use mo_copp::experiment::benchmarks::{BenchmarkLimits, Benchmarks};
 use mo_copp::experiment::{Figure, InitialBeliefs, Setting, SettingLimits, Shard};
+use mo_copp::solver::Solver;
 
-/// Repeat the paper's experiments.
+/// Repeat the paper's experiments, or run solvers on other people's problems.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 A run writes its records into the folder --out while it is at work; stopped, it goes on where it was when it is
@@ -15,6 +18,7 @@ Examples:
   mo-copp experiment fig3
   mo-copp experiment fig4 --problems 5 --domain blocksworld --out try
   mo-copp experiment fig3 --shard 2/8 --jobs 1 --out shared
+  mo-copp experiment benchmarks goal-recognition --time-limit 20
   mo-copp experiment merge shared/records-*-of-8.jsonl --out shared
 
 Exit codes: 0 all records are there, 2 bad input or usage, 3 stopped before the end.")]
@@ -31,6 +35,8 @@ pub enum ExperimentCommand {
     Fig3(RunArgs<PaperArgs>),
     /// Figure 4: the search against obfuscation alone and legibility alone on three IPC domains.
     Fig4(RunArgs<BeliefArgs>),
+    /// Solvers on every goal-recognition problem and document below a folder.
+    Benchmarks(BenchmarkArgs),
     /// Put the records of all shards together, and write tables and figures.
     Merge(MergeArgs),
 }
@@ -106,6 +112,112 @@ pub struct PaperArgs {
     /// Nonzero coefficients of the paper's encoding; larger programs are not tried.
     #[arg(long, value_name = "N", default_value_t = SettingLimits::default().paper_nonzeros)]
     pub paper_nonzeros: u64,
+}
+
+/// Solvers on other people's problems.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+A problem is a folder with template.pddl or hyps.dat in it (Ramírez and Geffner's layout), an archive of one
+(.tar, .tar.gz, .tgz, .tar.bz2, .tbz2, .zip) or a document (.json), anywhere below FOLDER; links to folders are not followed.
+Its domain is the folder directly below FOLDER that it is in. One that cannot be read has records with the reason.")]
+pub struct BenchmarkArgs {
+    /// The folder with the problems.
+    #[arg(value_name = "FOLDER")]
+    pub folder: PathBuf,
+    /// This solver. May be given several times [default: satisficing, search, exact, baseline].
+    #[arg(long, value_name = "SOLVER", value_parser = crate::cli::args::solver)]
+    pub solver: Vec<Solver>,
+    /// At least so many goals are left to the enemy [default: half of them, at least 2].
+    #[arg(long, value_name = "N")]
+    pub k: Option<usize>,
+    /// At most so many goals are left to the friend [default: half of them, at least 2].
+    #[arg(long, value_name = "N")]
+    pub j: Option<usize>,
+    /// The symbol that the enemy sees of each action of an imported problem, as a template.
+    #[arg(long, value_name = "TEMPLATE", default_value_t = ImportOptions::default().adversarial_sensor)]
+    pub adversarial_sensor: String,
+    /// The symbol that the friend sees.
+    #[arg(long, value_name = "TEMPLATE", default_value_t = ImportOptions::default().cooperative_sensor)]
+    pub cooperative_sensor: String,
+    /// The folder for records and tables.
+    #[arg(long, value_name = "DIR", default_value = "results/benchmarks")]
+    pub out: PathBuf,
+    /// How many problems are solved at a time. More than one make each other slower.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub jobs: usize,
+    /// Part I of N of the run, for a scheduler; merge puts the parts together.
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// Memory for states, beliefs and nodes of all solvers at work, counted by contents; the
+    /// process takes up to three times as much.
+    #[arg(long, value_name = "MIB", default_value_t = BenchmarkLimits::default().memory_mib)]
+    pub memory_limit: u64,
+    /// Expansions of each solver on each problem [default: no limit].
+    #[arg(long, value_name = "N")]
+    pub expansions: Option<u64>,
+    /// Stop each solver after so many seconds of work, looked at between two steps; none for no limit.
+    /// One that does not stop is ended 5 s later, reading included. Where the limit is met, the record
+    /// says so and depends on the machine.
+    #[arg(long, value_name = "SECONDS", default_value_t = TimeLimit(BenchmarkLimits::default().seconds))]
+    pub time_limit: TimeLimit,
+    /// Does this one problem with the first solver and prints its record: a run does each job in a
+    /// process of its own.
+    #[arg(long, hide = true)]
+    pub child: Option<String>,
+    /// The domain of that problem.
+    #[arg(long, hide = true)]
+    pub child_domain: Option<String>,
+    /// The bytes of states, beliefs and nodes that it may take.
+    #[arg(long, hide = true)]
+    pub child_bytes: Option<u64>,
+}
+
+/// Seconds, or none.
+#[derive(Debug, Clone, Copy)]
+pub struct TimeLimit(pub Option<u64>);
+
+impl std::fmt::Display for TimeLimit {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.0 {
+            Some(seconds) => seconds.fmt(f),
+            None => "none".fmt(f),
+        }
+    }
+}
+
+impl std::str::FromStr for TimeLimit {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.parse() {
+            Ok(seconds) => Ok(Self(Some(seconds))),
+            Err(_) if text == "none" => Ok(Self(None)),
+            Err(_) => Err(format!("found {text}, expected a whole number of seconds, or none")),
+        }
+    }
+}
+
+impl BenchmarkArgs {
+    /// What the run is about, its problems left out.
+    pub fn benchmarks(&self) -> Benchmarks {
+        let solvers = match self.solver.as_slice() {
+            [] => Benchmarks::SOLVERS.to_vec(),
+            solvers => solvers.to_vec(),
+        };
+        Benchmarks {
+            problems: Vec::new(),
+            solvers,
+            k: self.k,
+            j: self.j,
+            adversarial_sensor: self.adversarial_sensor.clone(),
+            cooperative_sensor: self.cooperative_sensor.clone(),
+            limits: BenchmarkLimits {
+                memory_mib: self.memory_limit,
+                expansions: self.expansions,
+                seconds: self.time_limit.0,
+            },
+        }
+    }
 }
 
 /// Put shards together.

@@ -7,7 +7,8 @@ use std::thread;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use mo_copp::experiment::{Event, Job};
+use mo_copp::experiment::Event;
+use mo_copp::experiment::series::SeriesJob;
 
 use crate::cli::{LIMIT, interrupt};
 
@@ -57,18 +58,18 @@ impl Watch {
     }
 
     /// Takes note of what a run tells.
-    pub fn report(&self, event: Event<'_>) {
+    pub fn report<J: SeriesJob>(&self, event: &Event<'_, J>) {
         let mut at_work = self.at_work.lock().unwrap_or_else(PoisonError::into_inner);
-        match event {
+        match *event {
             Event::Begun(job) => {
-                at_work.insert(job.place, name(job));
+                at_work.insert(job.place(), job.name());
             }
             Event::Recorded(job) => {
-                at_work.remove(&job.place);
+                at_work.remove(&job.place());
                 self.bar.inc(1);
             }
             Event::PutOff(job) => {
-                at_work.remove(&job.place);
+                at_work.remove(&job.place());
             }
         }
         let names: Vec<&str> = at_work.values().take(SHOWN).map(String::as_str).collect();
@@ -79,8 +80,4 @@ impl Watch {
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
-}
-
-fn name(job: &Job) -> String {
-    format!("{} {} {}", job.domain.domain.name(), job.problem, job.configuration.name())
 }

@@ -93,7 +93,7 @@ fn groups(texts: &[String], option: &'static str) -> Result<Vec<(String, Vec<Str
 }
 
 /// The files of a folder or an archive.
-fn files(source: &Path) -> Result<Vec<ImportFile>, CliError> {
+pub fn files(source: &Path) -> Result<Vec<ImportFile>, CliError> {
     let shown = source.display().to_string();
     let failed = |reason: String| CliError::Read { file: shown.clone(), reason };
     if source.is_dir() {

@@ -6,7 +6,10 @@ use crate::experiment::records::Entries;
 use crate::experiment::{Measure, Summary};
 
 /// Rows as CSV text.
-fn table(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+pub(in crate::experiment) fn table(
+    header: &[&str],
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> String {
     let mut writer = Writer::from_writer(Vec::new());
     // Writing into memory cannot fail, and every row is as long as the header.
     let _ = writer.write_record(header);
@@ -16,7 +19,7 @@ fn table(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }
 
-fn number(number: Option<impl ToString>) -> String {
+pub(in crate::experiment) fn number(number: Option<impl ToString>) -> String {
     number.map_or_else(String::new, |number| number.to_string())
 }
 

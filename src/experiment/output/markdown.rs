@@ -102,7 +102,7 @@ fn spread(spread: Option<Spread>, digits: usize, unit: &str) -> String {
 }
 
 /// How many digits behind the point a time needs to show two that count, microseconds at most.
-fn digits_of_seconds(seconds: f64) -> usize {
+pub(in crate::experiment) fn digits_of_seconds(seconds: f64) -> usize {
     let mut digits = 0;
     while digits < 6 && seconds * 10_f64.powi(digits) < 10.0 {
         digits += 1;

@@ -1,9 +1,9 @@
 //! What a run leaves in its folder: `results.json`, tables as CSV and Markdown, figures as SVG.
 
 mod chart;
-mod csv;
+pub(super) mod csv;
 mod figures;
-mod markdown;
+pub(super) mod markdown;
 
 use std::fs;
 use std::io::Write;
