@@ -47,7 +47,10 @@ def check(domain_file, task_file, steps):
     with tempfile.TemporaryDirectory() as folder:
         domain = Path(folder, "domain.pddl")
         domain.write_text(text, encoding="utf-8")
-        problem = _parse(str(domain), str(task_file))
+        try:
+            problem = _parse(str(domain), str(task_file))
+        except Exception as error:  # pyperplan has no one kind of error of its own
+            return f"pyperplan cannot read the task: {error}"
     objects = dict(problem.objects)
     objects.update(problem.domain.constants)
     objects_of = _create_type_map(objects)

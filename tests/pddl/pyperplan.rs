@@ -1,15 +1,19 @@
 //! The baseline's plans carried out by pyperplan: its own parser and its own operators.
 //!
 //! `MO_COPP_PYPERPLAN_PYTHON` names a Python with the package pyperplan; `npm test` sets it. The tasks are
-//! drawn ones, and of those in the folder of [`ipc`](super::ipc) the first few of each domain. For all of
-//! them: `python tests/validate_plans.py --planner target/release/mo-copp FOLDER`.
+//! drawn ones, of those in the folder of [`ipc`](super::ipc) the first few of each domain, and of the
+//! goal-recognition problems in the folder that `MO_COPP_GOAL_RECOGNITION` names the first few of each
+//! domain that pyperplan reads. For all of the competitions' tasks: `python tests/validate_plans.py --planner target/release/mo-copp FOLDER`.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
 
+use mo_copp::domain::Document;
 use mo_copp::domain::generate::Domain;
+use mo_copp::domain::pddl::import::{FILES, ImportFile, ImportOptions, import};
 use mo_copp::limits::Limits;
 use mo_copp::pddl::{ExtraInputs, ground, read_domain, read_task};
 use mo_copp::solver::ClassicalRun;
@@ -19,7 +23,9 @@ use super::ipc;
 
 const PYTHON: &str = "MO_COPP_PYPERPLAN_PYTHON";
 
-/// Instances of each domain of the competitions, the first ones.
+const RECOGNITION: &str = "MO_COPP_GOAL_RECOGNITION";
+
+/// Instances of each domain, the first ones.
 const INSTANCES: usize = 4;
 
 /// Expansions after which a task is left out.
@@ -45,21 +51,57 @@ fn drawn() -> Vec<Files> {
     for generator in ["blocksworld", "logistics", "driverlog"] {
         for seed in 0..3 {
             let drawn = Domain::named(generator).unwrap().draw(seed).unwrap();
-            let document: Value = serde_json::from_str(&drawn.document.to_json()).unwrap();
-            let goals = document["goals"].as_array().unwrap();
-            let goal = goals.iter().find(|goal| goal["name"] == document["true_goal"]).unwrap();
-            let task = text(&document["problem"]);
-            assert!(!task.contains(":goal"));
-            let task = task.trim_end().strip_suffix(')').unwrap().to_owned();
-            let goal = format!("\n(:goal {}))\n", goal["condition"].as_str().unwrap());
-            let path = |what: &str| folder().join(format!("drawn-{generator}-{seed}-{what}"));
-            let paths = [path("domain.pddl"), path("task.pddl"), path("plan")];
-            std::fs::write(&paths[0], text(&document["domain"])).unwrap();
-            std::fs::write(&paths[1], task + &goal).unwrap();
-            files.push(paths);
+            files.push(in_document(&drawn.document, &format!("drawn-{generator}-{seed}")));
         }
     }
     files
+}
+
+/// The task inside of a document, with the true goal as its goal.
+fn in_document(document: &Document, name: &str) -> Files {
+    let document: Value = serde_json::from_str(&document.to_json()).unwrap();
+    let goals = document["goals"].as_array().unwrap();
+    let goal = goals.iter().find(|goal| goal["name"] == document["true_goal"]).unwrap();
+    let task = text(&document["problem"]);
+    assert!(!task.contains(":goal"));
+    let task = task.trim_end().strip_suffix(')').unwrap().to_owned();
+    let goal = format!("\n(:goal {}))\n", goal["condition"].as_str().unwrap());
+    let path = |what: &str| folder().join(format!("{name}-{what}"));
+    let paths = [path("domain.pddl"), path("task.pddl"), path("plan")];
+    std::fs::write(&paths[0], text(&document["domain"])).unwrap();
+    std::fs::write(&paths[1], task + &goal).unwrap();
+    paths
+}
+
+/// The first goal-recognition problems of each domain, by domain; none where their folder is not named.
+fn recognition() -> Vec<(String, Files)> {
+    let Some(folder) = std::env::var_os(RECOGNITION) else {
+        let why = "does not name a folder of problems";
+        writeln!(std::io::stderr(), "part of the pyperplan test skipped: {RECOGNITION} {why}")
+            .unwrap();
+        return Vec::new();
+    };
+    let listed = |folder: &Path| {
+        let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let mut folders: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
+        folders.sort();
+        folders
+    };
+    let mut found = Vec::new();
+    for domain in listed(Path::new(&folder)) {
+        for problem in listed(&domain).iter().take(INSTANCES) {
+            let read = |name: &&str| {
+                let text = std::fs::read_to_string(problem.join(name)).ok()?;
+                Some(ImportFile { name: (*name).to_owned(), text })
+            };
+            let files: Vec<ImportFile> = FILES.iter().filter_map(read).collect();
+            let document = import(&files, &ImportOptions::default()).unwrap().document.into();
+            let name = problem.file_name().unwrap().to_string_lossy();
+            let of = domain.file_name().unwrap().to_string_lossy().into_owned();
+            found.push((of, in_document(&document, &format!("recognition-{name}"))));
+        }
+    }
+    found
 }
 
 /// The plan of a task; none where it takes too long.
@@ -113,6 +155,7 @@ fn pyperplan_carries_the_plans_out() {
     for ((verdict, length), paths) in found.iter().zip(&lengths).zip(&files) {
         assert_eq!(*verdict, format!("valid {length}"), "{}", paths[1].display());
     }
+    recognised(&python);
     // A plan without its last step, or with its first one twice, is found out.
     let [domain, task, file] = files[0].clone();
     let steps: Vec<String> =
@@ -125,4 +168,31 @@ fn pyperplan_carries_the_plans_out() {
     let said = verdicts(&python, &wrong);
     assert!(said[0].starts_with("the goal lacks ("), "{said:?}");
     assert!(said[1].starts_with("step 2: "), "{said:?}");
+}
+
+/// The plans for goal-recognition problems are valid wherever pyperplan reads the domain.
+fn recognised(python: &std::ffi::OsStr) {
+    let mut files = Vec::new();
+    let mut known = Vec::new();
+    for (domain, paths) in recognition() {
+        if let Some(steps) = plan(&paths[0], &paths[1]) {
+            std::fs::write(&paths[2], steps.join("\n")).unwrap();
+            files.push(paths);
+            known.push((domain, steps.len()));
+        }
+    }
+    if files.is_empty() {
+        return;
+    }
+    let mut read = BTreeSet::new();
+    for ((verdict, paths), (domain, length)) in
+        verdicts(python, &files).iter().zip(&files).zip(&known)
+    {
+        // What it cannot read says nothing of the plan.
+        if !verdict.starts_with("pyperplan cannot read the task: ") {
+            assert_eq!(*verdict, format!("valid {length}"), "{}", paths[1].display());
+            read.insert(domain);
+        }
+    }
+    assert!(read.len() >= 3, "pyperplan reads {read:?} alone");
 }
