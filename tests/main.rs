@@ -7,6 +7,7 @@ mod common;
 
 mod beliefs;
 mod corrections;
+mod cost_limit;
 mod documents;
 mod domains;
 mod eliminations;

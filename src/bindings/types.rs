@@ -76,6 +76,9 @@ export interface SolveOptions {
   /** The best plan of every length from 0 to this one (at most 1000), for `exact` and without a horizon.
       The plan of the outcome is then the best that has at most so many actions. */
   lengths?: number;
+  /** The most that a plan may cost (a whole number up to 4294967295): the cost where the problem's PDDL has costs, the number of
+      actions elsewhere. */
+  cost_limit?: number;
 }
 
 export interface Outcome {
@@ -86,6 +89,8 @@ export interface Outcome {
   plan: string[] | null;
   /** What the plan costs, where the problem has costs. */
   cost?: number;
+  /** The most that a plan may cost, where that was asked for. */
+  cost_limit?: number;
   goals: ByObserver<string[]> | null;
   goal_difference: number | null;
   /** The goals of which it is not known whether they are possible, where beliefs are too large to be worked out: they are among the friend's and not among the enemy's. */

@@ -210,6 +210,10 @@ pub struct SolveArgs {
     /// The best plan of every length from 0 to L. For exact, without a horizon.
     #[arg(long, value_name = "L")]
     pub lengths: Option<usize>,
+    /// The most that a plan may cost: its cost where the problem's PDDL has costs, elsewhere the number
+    /// of its actions. For all solvers.
+    #[arg(long, value_name = "N")]
+    pub cost_limit: Option<u64>,
     /// One JSON object instead of text.
     #[arg(long)]
     pub json: bool,
@@ -253,7 +257,7 @@ pub struct LimitArgs {
 /// Replay a plan.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The exit code is 1 when the plan does not end in the true goal.
+The exit code is 1 when the plan does not end in the true goal, or costs more than --cost-limit.
 
 Examples:
   mo-copp trace grid.json --plan north,north,east
@@ -267,6 +271,9 @@ pub struct TraceArgs {
     /// A file with one action a line; - for the standard input.
     #[arg(long, value_name = "FILE", required_unless_present = "plan")]
     pub plan_file: Option<PathBuf>,
+    /// The most that the plan may cost, or its number of actions where the problem has no costs.
+    #[arg(long, value_name = "N")]
+    pub cost_limit: Option<u64>,
     /// One JSON object instead of text.
     #[arg(long)]
     pub json: bool,
@@ -332,6 +339,9 @@ pub struct EncodeArgs {
     /// The number of actions of the plan.
     #[arg(long, value_name = "T")]
     pub horizon: usize,
+    /// The most that the plan may cost.
+    #[arg(long, value_name = "N")]
+    pub cost_limit: Option<u64>,
     /// What the plan must achieve.
     #[command(flatten)]
     pub bounds: BoundsArgs,

@@ -11,10 +11,11 @@ use super::{LIMIT, NO_PLAN, input, note, print};
 /// Prints the model; the exit code.
 pub fn run(args: &EncodeArgs) -> Result<u8, CliError> {
     let problem = input::problem(&args.problem)?;
-    let options = Options::new(Solver::Ip)
+    let mut options = Options::new(Solver::Ip)
         .with_encoding(args.encoding)
         .with_horizon(Horizon::Steps(args.horizon))
         .with_bounds(input::bounds(&args.bounds, &problem)?);
+    options.cost_limit = args.cost_limit;
     options.check(&problem)?;
     match lp_format(Arc::clone(&problem), &options, args.horizon) {
         Ok(program) => {

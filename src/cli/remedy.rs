@@ -21,7 +21,8 @@ pub fn advise(
     outcome: &Outcome,
     stop: &AtomicBool,
 ) -> Result<Option<Advice>, SolveError> {
-    if outcome.status != Status::Infeasible || options.lengths.is_some() {
+    let unasked = options.lengths.is_some() || options.cost_limit.is_some();
+    if outcome.status != Status::Infeasible || unasked {
         return Ok(None);
     }
     let mut options = options.clone();

@@ -28,6 +28,7 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
         .with_pairs(args.pairs || args.pareto)
         .with_limits(limits.with_nodes(args.limits.nodes.unwrap_or(u64::MAX)));
     options.lengths = args.lengths;
+    options.cost_limit = args.cost_limit;
     options.check(&problem).map_err(|mut error| {
         // By the name that was given.
         if error.option == "pairs" && args.pareto && !args.pairs {
@@ -49,6 +50,9 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
         print(&(serde_json::to_string(&report).unwrap_or_default() + "\n"))?;
     } else {
         print(&visible(&text(&problem, &options, &outcome, seconds)))?;
+        if outcome.status == Status::Infeasible && options.cost_limit.is_some() {
+            note("note: what would do is not searched under a cost limit; a greater one may");
+        }
         if let Some(advice) = advice {
             eprint!("mo-copp: {}", visible(&remedy::text(&problem, &options, &advice)));
         }
@@ -198,6 +202,8 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
 
 /// What the status says of this problem.
 fn meaning(options: &Options, outcome: &Outcome) -> String {
+    let cost =
+        options.cost_limit.map_or_else(String::new, |limit| format!(" that costs at most {limit}"));
     let length = match (options.horizon, outcome.horizon) {
         _ if options.lengths.is_some() => {
             format!("of at most {} actions", options.lengths.unwrap_or_default())
@@ -208,7 +214,7 @@ fn meaning(options: &Options, outcome: &Outcome) -> String {
             format!("of {steps} actions")
         }
         (Horizon::Steps(steps), None) => format!("of {steps} actions"),
-    };
+    } + &cost;
     match outcome.status {
         Status::Optimal => format!("no plan {length} has a greater goal difference"),
         Status::Solved => "a plan that keeps the bounds".to_owned(),

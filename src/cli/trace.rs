@@ -5,7 +5,7 @@ use std::fmt::Write;
 use mo_copp::plan::{Plan, PlanError};
 use mo_copp::problem::Problem;
 use mo_copp::report::TraceReport;
-use mo_copp::trace::{pass, trace};
+use mo_copp::trace::{check_cost, pass, trace};
 
 use super::args::TraceArgs;
 use super::error::CliError;
@@ -21,8 +21,9 @@ const STATES_SHOWN: usize = 6;
 pub fn run(args: &TraceArgs) -> Result<u8, CliError> {
     let problem = input::problem(&args.problem)?;
     let plan = plan_text::plan(&problem, args.plan.as_deref(), args.plan_file.as_deref())?;
+    let within = check_cost(&problem, &plan, args.cost_limit);
     if args.json {
-        let report = match trace(&problem, &plan) {
+        let mut report = match trace(&problem, &plan) {
             Ok(trace) => TraceReport::new(&problem, &trace),
             // Too many states to list: what they have in common, and some of them.
             Err(PlanError::TooManyStates { .. }) => {
@@ -30,12 +31,17 @@ pub fn run(args: &TraceArgs) -> Result<u8, CliError> {
             }
             Err(error) => return Err(error.into()),
         };
+        report.valid &= within.is_ok();
         print_json(&report)?;
         return Ok(if report.valid { 0 } else { NO_PLAN });
     }
-    let (text, reaches_goal) = text(&problem, &plan)?;
+    let (mut text, reaches_goal) = text(&problem, &plan)?;
+    if let Err(error) = &within {
+        // Writing to a text cannot fail.
+        let _ = writeln!(text, "{error}");
+    }
     print(&visible(&text))?;
-    Ok(if reaches_goal { 0 } else { NO_PLAN })
+    Ok(if reaches_goal && within.is_ok() { 0 } else { NO_PLAN })
 }
 
 /// The steps for people, and whether the plan ends in the true goal.

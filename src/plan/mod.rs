@@ -39,6 +39,12 @@ impl Plan {
         task.has_costs().then(|| self.actions.iter().fold(0, sum))
     }
 
+    /// What counts under a cost limit: the cost, however great, or the number of actions where the task has
+    /// no costs.
+    pub fn cost_or_length(&self, task: &Task) -> u128 {
+        self.actions.iter().map(|&action| u128::from(task.step_cost(action))).sum()
+    }
+
     /// The names of the actions.
     pub fn names(&self, task: &Task) -> Vec<String> {
         self.actions.iter().map(|&action| task.action_name(action).to_owned()).collect()

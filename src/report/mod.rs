@@ -72,6 +72,9 @@ pub struct SolveReport {
     /// What the plan costs, where the problem has costs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cost: Option<u64>,
+    /// The most that a plan may cost, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost_limit: Option<u64>,
     /// The goals that survive for each observer.
     pub goals: Option<ByObserver<Vec<String>>>,
     /// For each observer the goals of which it is not known whether they survive, where there are any.
@@ -205,7 +208,7 @@ pub struct StatsReport {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct TraceReport {
-    /// Whether the plan ends in the true goal.
+    /// Whether the plan ends in the true goal, within the cost limit where there is one.
     pub valid: bool,
     /// What the plan costs, where the problem has costs.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -295,6 +298,7 @@ impl SolveReport {
             horizon: None,
             plan: None,
             cost: None,
+            cost_limit: None,
             goals: None,
             unsettled: None,
             goal_difference: None,
@@ -332,6 +336,7 @@ impl SolveReport {
             horizon: outcome.horizon,
             plan: outcome.plan.as_ref().map(|plan| plan.names(task)),
             cost: outcome.plan.as_ref().and_then(|plan| plan.cost(task)),
+            cost_limit: outcome.cost_limit,
             goals: outcome
                 .survivors
                 .as_ref()

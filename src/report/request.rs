@@ -6,7 +6,7 @@ use crate::document::reader::{Fields, Reader};
 use crate::problem::Problem;
 use crate::solver::{Encoding, Horizon, MAX_HORIZON, Options, OptionsError, Solver, Watched};
 
-const KEYS: [&str; 12] = [
+const KEYS: [&str; 13] = [
     "solver",
     "encoding",
     "horizon",
@@ -19,6 +19,7 @@ const KEYS: [&str; 12] = [
     "pairs",
     "pareto",
     "lengths",
+    "cost_limit",
 ];
 
 /// What is asked of a solver.
@@ -84,6 +85,9 @@ pub fn read_request(text: &str, problem: &Problem) -> Result<Request, DocumentEr
     let old_names = pareto && !pairs;
     if let Some(lengths) = fields.optional("lengths") {
         options.lengths = Some(steps(&lengths)?);
+    }
+    if let Some(limit) = fields.optional("cost_limit") {
+        options.cost_limit = Some(u64::from(limit.integer(0..=u32::MAX)?));
     }
     options.check(problem).map_err(|OptionsError { option, found, expected }| {
         // By the name that was given.

@@ -1,11 +1,13 @@
 //! The baseline: a plan for the true goal alone, with no regard to the observers.
 //!
 //! Greedy best first over states with the set-additive heuristic on the true goal alone, as in the
-//! paper's experiments. With a horizon, states at different steps are different nodes.
+//! paper's experiments. With a horizon or a cost limit, states at different [stages](Stages) are different
+//! nodes.
 
 use std::sync::Arc;
 
 use super::ground::best_first::{BestFirst, SearchSpace};
+use super::ground::stages::{Cheapest, Stages};
 use crate::heuristic::{SetAdditive, UNREACHABLE};
 use crate::limits::{LimitReached, Limits};
 use crate::solver::engine::Engine;
@@ -16,41 +18,45 @@ use crate::task::{Action, StateId, StateSpace, Task};
 /// with four drivers and eight packages is not solved in millions of expansions without.
 const PATIENCE: u64 = 1000;
 
-/// States, and how many actions led to them where that matters.
+/// States, and what led to them where that matters.
 #[derive(Debug)]
 struct States {
     task: Arc<Task>,
     space: StateSpace,
     heuristic: SetAdditive,
-    horizon: Option<usize>,
+    stages: Stages,
+    cheapest: Cheapest<StateId>,
     limits: Limits,
 }
 
-/// The baseline on a task, for plans of any length or of exactly `horizon` actions.
+/// The baseline on a task, for plans of any length or of exactly `horizon` actions, within a cost limit
+/// where there is one.
 pub(in crate::solver) fn engine(
     task: &Arc<Task>,
     limits: Limits,
     horizon: Option<usize>,
+    cost_limit: Option<u64>,
 ) -> impl Engine + use<> {
     BestFirst::new(States {
         space: StateSpace::new(Arc::clone(task)),
         heuristic: SetAdditive::new(task),
         task: Arc::clone(task),
-        horizon,
+        stages: Stages::new(task, horizon, cost_limit),
+        cheapest: Cheapest::new(),
         limits,
     })
 }
 
 impl SearchSpace for States {
-    /// The state, and the number of actions before it (0 where there is no horizon).
+    /// The state, and its stage.
     type Key = (StateId, u32);
 
     fn root(&mut self) -> Self::Key {
-        (self.space.intern(self.task.initial_state()), 0)
+        (self.space.intern(self.task.initial_state()), Stages::FIRST)
     }
 
-    fn is_goal(&mut self, (state, steps): Self::Key) -> Result<bool, LimitReached> {
-        Ok(self.horizon.is_none_or(|horizon| horizon == steps as usize)
+    fn is_goal(&mut self, (state, stage): Self::Key) -> Result<bool, LimitReached> {
+        Ok(self.stages.may_end(stage)
             && self.task.satisfies(self.space.words(state), self.task.goal()))
     }
 
@@ -63,18 +69,20 @@ impl SearchSpace for States {
 
     fn expand(
         &mut self,
-        (state, steps): Self::Key,
+        (state, stage): Self::Key,
         found: &mut Vec<(Action, Self::Key)>,
     ) -> Result<(), LimitReached> {
         found.clear();
-        let steps = match self.horizon {
-            None => 0,
-            Some(horizon) if steps as usize == horizon => return Ok(()),
-            Some(_) => steps + 1,
-        };
+        if self.stages.is_last(stage) {
+            return Ok(());
+        }
         self.space.expand(state);
-        found
-            .extend(self.space.edges(state).iter().map(|edge| (edge.action, (edge.target, steps))));
+        for edge in self.space.edges(state) {
+            let Some(next) = self.stages.after(stage, edge.action) else { continue };
+            if self.cheapest.admit(&self.stages, edge.target, next) {
+                found.push((edge.action, (edge.target, next)));
+            }
+        }
         Ok(())
     }
 
@@ -87,7 +95,7 @@ impl SearchSpace for States {
     }
 
     fn bytes(&self) -> u64 {
-        self.space.bytes()
+        self.space.bytes() + self.stages.bytes() + self.cheapest.bytes()
     }
 
     fn count(&self, stats: &mut Stats) {

@@ -55,7 +55,7 @@ pub struct ClassicalOutcome {
 impl ClassicalRun {
     /// Gets ready.
     pub fn new(task: Arc<Task>, limits: Limits) -> Self {
-        let engine = Box::new(baseline::engine(&task, limits, None));
+        let engine = Box::new(baseline::engine(&task, limits, None, None));
         Self { task, engine, finding: None }
     }
 

@@ -207,6 +207,8 @@ pub struct Options {
     /// The longest of the lengths for each of which the best plan is wanted, for
     /// [`Solver::Exact`]: from 0 to this one. The plan asked for has at most so many actions.
     pub lengths: Option<usize>,
+    /// The most that a plan may cost; where the task has no costs, the most actions that it may have.
+    pub cost_limit: Option<u64>,
     /// Where to stop.
     pub limits: Limits,
 }
@@ -234,6 +236,7 @@ impl Options {
             bounds: Bounds::default(),
             pairs: false,
             lengths: None,
+            cost_limit: None,
             limits: Limits::default(),
         }
     }

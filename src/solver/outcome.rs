@@ -187,6 +187,8 @@ pub struct Outcome {
     /// The best of each length from 0, where that was asked for; of a run that was stopped, of the
     /// lengths that are proved.
     pub lengths: Option<Vec<LengthPoint>>,
+    /// The most that plans may cost, where that was asked for: all above is about these plans.
+    pub cost_limit: Option<u64>,
     /// The limit that was met.
     pub limit: Option<LimitReached>,
     /// What the work took.

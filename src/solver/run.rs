@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::limits::LimitReached;
 use crate::plan::PlanError;
 use crate::problem::Problem;
-use crate::trace::{Achievement, InvalidPlan, validate_with, validate_within};
+use crate::trace::{Achievement, InvalidPlan, check_cost, validate_with, validate_within};
 
 use super::engine::{Advance, Engine, Finding};
 use super::error::SolveError;
@@ -17,7 +17,8 @@ use super::{Horizon, Options, Solver};
 #[cfg(feature = "full")]
 use super::{
     algorithm1, baseline,
-    explorer::{Explorer, Lengths},
+    cost_limited::CostLimited,
+    explorer::{Explorer, Lengths, cost_bounded::CostBounded},
     ip,
     portfolio::Portfolio,
 };
@@ -78,8 +79,10 @@ impl Run {
     /// plan by exact search.
     pub fn new(problem: Arc<Problem>, options: Options) -> Result<Self, SolveError> {
         options.check(&problem)?;
-        let one_best =
-            options.solver == Solver::Exact && !options.pairs && options.lengths.is_none();
+        let one_best = options.solver == Solver::Exact
+            && !options.pairs
+            && options.lengths.is_none()
+            && options.cost_limit.is_none();
         if cfg!(not(feature = "full")) && !one_best {
             return Err(SolveError::NeedsFullCore);
         }
@@ -116,14 +119,18 @@ impl Run {
         let (problem, options) = (Arc::clone(&self.problem), &self.options);
         #[cfg(feature = "full")]
         if let Some(longest) = options.lengths {
-            return Ok(Box::new(Explorer::new(problem, options, Lengths::UpTo(longest))));
+            return Ok(explore(problem, options, Lengths::UpTo(longest)));
         }
         #[cfg(feature = "full")]
         if options.pairs {
             let lengths = self.horizon.map_or(Lengths::Any, Lengths::Exactly);
-            return Ok(Box::new(Explorer::new(problem, options, lengths)));
+            return Ok(explore(problem, options, lengths));
         }
         Ok(match (options.solver, self.horizon) {
+            #[cfg(feature = "full")]
+            (Solver::Exact, horizon) if options.cost_limit.is_some() => {
+                Box::new(CostLimited::new(problem, options, horizon))
+            }
             (Solver::Exact, horizon) => Box::new(Optimiser::new(problem, options, horizon)),
             // `new` has refused them.
             #[cfg(not(feature = "full"))]
@@ -132,12 +139,13 @@ impl Run {
             (Solver::Ip, horizon) => {
                 let horizon = horizon.unwrap_or(0);
                 let lengths = Lengths::Exactly(horizon);
-                let starter = Box::new(Explorer::new(Arc::clone(&problem), options, lengths));
+                let starter = explore(Arc::clone(&problem), options, lengths);
                 Box::new(ip::IntegerProgram::new(problem, options, horizon, starter)?)
             }
             #[cfg(feature = "full")]
             (Solver::Baseline, horizon) => {
-                Box::new(baseline::engine(problem.task(), options.limits, horizon))
+                let limit = options.cost_limit;
+                Box::new(baseline::engine(problem.task(), options.limits, horizon, limit))
             }
             #[cfg(feature = "full")]
             (Solver::Search | Solver::Obfuscate | Solver::Legible, horizon) => {
@@ -275,6 +283,15 @@ impl Run {
     }
 }
 
+/// Exhaustive exploration, within the cost limit where there is one.
+#[cfg(feature = "full")]
+fn explore(problem: Arc<Problem>, options: &Options, lengths: Lengths) -> Box<dyn Engine> {
+    if options.cost_limit.is_some() {
+        return Box::new(CostBounded::new(problem, options, lengths));
+    }
+    Box::new(Explorer::new(problem, options, lengths))
+}
+
 /// The outcome of a run that had to be left behind, from the last it was heard of.
 ///
 /// # Errors
@@ -322,6 +339,7 @@ fn conclude(
         // Of a run that was stopped, what is known.
         pairs: options.pairs.then(Vec::new),
         lengths: None,
+        cost_limit: options.cost_limit,
         limit: finding.limit,
         stats,
     };
@@ -343,6 +361,8 @@ fn conclude(
         if horizon.is_some_and(|horizon| horizon != plan.len()) {
             return Err(SolveError::Replay("it has another length than asked for".to_owned()));
         }
+        check_cost(problem, plan, options.cost_limit)
+            .map_err(|error| SolveError::Replay(error.to_string()))?;
         Ok(achieved)
     };
     if let Some(plan) = &finding.plan {

@@ -53,6 +53,14 @@ impl Options {
         self
     }
 
+    /// The same for plans that cost at most this much, or have at most so many actions where the task has
+    /// no costs.
+    #[must_use]
+    pub fn with_cost_limit(mut self, limit: u64) -> Self {
+        self.cost_limit = Some(limit);
+        self
+    }
+
     /// The same with these limits.
     #[must_use]
     pub fn with_limits(mut self, limits: Limits) -> Self {

@@ -122,6 +122,11 @@ impl Task {
         self.costs.as_ref().map_or(0, |costs| costs[action.index()])
     }
 
+    /// What an action counts under a cost limit: its cost, or 1 where the task has none.
+    pub fn step_cost(&self, action: Action) -> u64 {
+        self.costs.as_ref().map_or(1, |costs| costs[action.index()])
+    }
+
     /// How facts are packed into the words of a state.
     pub(crate) fn layout(&self) -> &Layout {
         &self.layout

@@ -20,7 +20,7 @@ pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
 pub use nearest::{Nearest, nearest};
 pub use reachable_goals::ReachableGoals;
 pub use settle::validate_within;
-pub use validator::{Achievement, InvalidPlan, validate, validate_with};
+pub use validator::{Achievement, InvalidPlan, check_cost, validate, validate_with};
 pub use witness::Witness;
 
 use crate::belief::StateCount;

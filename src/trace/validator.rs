@@ -29,6 +29,14 @@ pub enum InvalidPlan {
     /// The true goal does not hold at the end.
     #[error("the plan ends in a state without the true goal")]
     MissesGoal,
+    /// It costs more than it may.
+    #[error("the plan costs {cost}, more than the limit of {limit}")]
+    TooExpensive {
+        /// Its cost, or its number of actions where the task has no costs.
+        cost: u128,
+        /// The limit.
+        limit: u64,
+    },
 }
 
 /// Replays a plan, keeping nothing but what it achieves.
@@ -38,6 +46,29 @@ pub enum InvalidPlan {
 /// [`InvalidPlan`] when the plan does not solve the task.
 pub fn validate(problem: &Problem, plan: &Plan) -> Result<Achievement, InvalidPlan> {
     validate_with(problem, plan, &[])
+}
+
+/// Checks what a plan costs (the number of its actions where the task has no costs) against a limit.
+///
+/// # Errors
+///
+/// [`InvalidPlan::TooExpensive`] when it is more.
+///
+/// ```
+/// use mo_copp::{domain::Delivery, plan::Plan, trace::check_cost};
+/// let problem = Delivery::figure_1().problem()?;
+/// let plan = Plan::from_names(problem.task(), &["load a1", "load a2", "deliver"])?;
+/// assert!(check_cost(&problem, &plan, Some(3)).is_ok() && check_cost(&problem, &plan, None).is_ok());
+/// let error = check_cost(&problem, &plan, Some(2)).unwrap_err();
+/// assert_eq!(error.to_string(), "the plan costs 3, more than the limit of 2");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn check_cost(problem: &Problem, plan: &Plan, limit: Option<u64>) -> Result<(), InvalidPlan> {
+    let cost = plan.cost_or_length(problem.task());
+    match limit {
+        Some(limit) if cost > u128::from(limit) => Err(InvalidPlan::TooExpensive { cost, limit }),
+        _ => Ok(()),
+    }
 }
 
 /// The same with [witnesses](Witness). Where they show that every goal survives for an observer, nothing more has to be known

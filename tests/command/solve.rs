@@ -307,3 +307,40 @@ fn why_there_is_no_plan_and_what_would_do() {
     assert_eq!((ran.code, ran.err.as_str()), (1, "mo-copp: the true goal G1 cannot be reached\n"));
     assert!(mo_copp(GRID, &["solve", "-", "--json"]).json().get("remedy").is_none());
 }
+
+/// Roads that cost and slides that do not: the limit, what is said of it, and plans beyond it.
+#[test]
+fn a_cost_limit_holds_for_every_solver_and_for_traces() {
+    let costs = include_str!("../golden/costs.json");
+    let solve = |more: &[&str]| mo_copp(costs, &[&["solve", "-"], more].concat());
+    for solver in ["exact", "ip", "search", "satisficing", "baseline"] {
+        let found = solve(&["--solver", solver, "--cost-limit", "2", "--json"]).json();
+        assert!(found["cost"].as_u64().unwrap() <= 2, "{found}");
+        assert_eq!(found["cost_limit"], 2);
+    }
+    // A walk to the mill (2), and a slide from there; or a slide to the pond and a walk (1).
+    let none = solve(&["--cost-limit", "0", "--json"]);
+    assert_eq!((none.code, &none.json()["status"]), (1, &"infeasible".into()));
+    assert!(none.json().get("remedy").is_none());
+    let said = solve(&["--cost-limit", "0"]);
+    assert!(said.out.contains("no such plan of any length that costs at most 0"), "{}", said.out);
+    assert!(said.err.contains("not searched under a cost limit"), "{}", said.err);
+    let trace = |limit: &str, more: &[&str]| {
+        let plan = ["trace", "-", "--plan", "(walk hill mill),(glide mill shop)"];
+        mo_copp(costs, &[&plan[..], &["--cost-limit", limit], more].concat())
+    };
+    assert_eq!((trace("2", &[]).code, trace("1", &[]).code), (0, 1));
+    assert_eq!(trace("2", &["--json"]).json()["valid"], true);
+    assert_eq!(trace("1", &["--json"]).json()["valid"], false);
+    assert!(trace("1", &[]).out.contains("the plan costs 2, more than the limit of 1"));
+    let encoded = |encoding: &str, more: &[&str]| {
+        let command = ["encode", "-", "--horizon", "2", "--encoding", encoding];
+        mo_copp(costs, &[&command[..], more].concat()).out
+    };
+    for encoding in ["paper", "belief-flow"] {
+        assert!(encoded(encoding, &["--cost-limit", "2"]).contains(" cost: "), "{encoding}");
+        assert!(!encoded(encoding, &[]).contains(" cost: "), "{encoding}");
+    }
+    let wrong = solve(&["--cost-limit", "-1"]);
+    assert_eq!(wrong.code, 2);
+}

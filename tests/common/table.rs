@@ -145,6 +145,11 @@ impl Table {
     /// each goal, and as many again as asked for that always hold and mean nothing, so that a state
     /// takes several words.
     pub fn built_problem(&self, padding: usize) -> Arc<Problem> {
+        self.built_with_costs(padding, None)
+    }
+
+    /// The same with a cost for each action.
+    pub fn built_with_costs(&self, padding: usize, costs: Option<&[u64]>) -> Arc<Problem> {
         let mut task = TaskBuilder::default();
         let named: Vec<_> = self.states.iter().map(|name| task.fact(name)).collect();
         task.exclusive(named.clone());
@@ -164,6 +169,10 @@ impl Table {
                     pairs.push((action, target));
                 }
             }
+        }
+        for (name, &cost) in self.actions.iter().zip(costs.into_iter().flatten()) {
+            let action = task.action(name);
+            task.cost(action, cost);
         }
         let full = |state: usize| [facts(state).as_slice(), &pads].concat();
         let task = task.build(&full(self.start), &[goal_facts[self.true_goal]]).unwrap();

@@ -42,6 +42,26 @@ fn options(horizon: usize, paper: bool) -> Vec<Value> {
     options
 }
 
+/// Roads that cost, and slides that do not.
+pub const COSTS: &str = include_str!("costs.json");
+
+/// Options with a cost limit.
+fn cost_limits(limits: [u64; 3], horizon: usize) -> Vec<Value> {
+    let of = |limit: u64| {
+        [
+            json!({"solver": "exact", "cost_limit": limit}),
+            json!({"solver": "exact", "cost_limit": limit, "pairs": true}),
+            json!({"solver": "exact", "cost_limit": limit, "lengths": horizon}),
+            json!({"solver": "exact", "cost_limit": limit, "horizon": horizon}),
+            json!({"solver": "ip", "cost_limit": limit, "horizon": horizon}),
+            json!({"solver": "search", "cost_limit": limit, "k": 2, "j": 2}),
+            json!({"solver": "satisficing", "cost_limit": limit, "k": 2, "j": 1}),
+            json!({"solver": "baseline", "cost_limit": limit}),
+        ]
+    };
+    limits.into_iter().flat_map(of).collect()
+}
+
 /// Walls, stay, cameras and goals in one cell.
 const CAMERAS: &str = include_str!("grid.json");
 
@@ -58,6 +78,10 @@ fn cases() -> Vec<Value> {
         json!({"solver": "exact", "k": 3, "j": 1}),
     ];
     cases.push(replay::case("named goals", None, GRIDWORLD, &named));
+    let limits = cost_limits([0, 3, 9], 3);
+    cases.push(replay::case("cost limits", None, COSTS, &limits));
+    let limits = cost_limits([13, 14, 16], 14);
+    cases.push(replay::case("cost limits without costs", None, GRIDWORLD, &limits));
     for (format, seed, horizon, paper) in [
         ("gridworld", 1, 12, false),
         ("gridworld", 2, 14, false),
@@ -160,6 +184,9 @@ fn golden_answers_agree_with_each_other() {
         };
         for exact in of("exact") {
             for program in of("ip") {
+                if exact["options"]["cost_limit"] != program["options"]["cost_limit"] {
+                    continue;
+                }
                 assert_eq!(exact["options"]["horizon"], program["options"]["horizon"]);
                 for key in ["status", "goal_difference", "horizon"] {
                     assert_eq!(exact["answer"][key], program["answer"][key], "{}", case["name"]);

@@ -32,7 +32,11 @@ const ENGINES: &[Arrows] = &[
 
 /// What is made of several engines.
 const COMPOSITIONS: &[Arrows] = &[
-    ("portfolio", &["algorithm1", "engine", "optimiser", "options", "outcome", "parallel_walks"]),
+    ("cost_limited", &["engine", "explorer", "optimiser", "options", "outcome"]),
+    (
+        "portfolio",
+        &["algorithm1", "engine", "explorer", "optimiser", "options", "outcome", "parallel_walks"],
+    ),
     ("remedy", &["engine", "error", "explorer", "ground", "optimiser", "options", "outcome"]),
 ];
 
@@ -42,6 +46,7 @@ const DISPATCH: &[Arrows] = &[
         &[
             "algorithm1",
             "baseline",
+            "cost_limited",
             "engine",
             "error",
             "explorer",

@@ -96,9 +96,9 @@ impl ClosedList {
 
     /// Closes the one combination that a node has in the first round, for which its beliefs need not
     /// be known; false when it is closed.
-    pub(super) fn close_state(&mut self, state: StateId, observers: usize, steps: u32) -> bool {
+    pub(super) fn close_state(&mut self, state: StateId, observers: usize, stage: u32) -> bool {
         let mut key = vec![0; 2 + observers];
-        key[..2].copy_from_slice(&[state.0, steps]);
+        key[..2].copy_from_slice(&[state.0, stage]);
         let bytes = 4 * key.len() as u64 + 24;
         let new = self.closed.insert(key.into_boxed_slice());
         self.bytes += if new { bytes } else { 0 };
@@ -106,7 +106,7 @@ impl ClosedList {
     }
 
     /// Closes the first combination that is open for a node; false when there is none.
-    pub(super) fn close(&mut self, joint: &mut JointSpace, node: Node, steps: u32) -> bool {
+    pub(super) fn close(&mut self, joint: &mut JointSpace, node: Node, stage: u32) -> bool {
         let observers = joint.problem().observers().len();
         // Of beliefs that are not listed some states stand for all.
         let samples: Vec<Option<Vec<StateId>>> = (0..observers)
@@ -139,7 +139,7 @@ impl ClosedList {
         let mut key = Vec::new();
         loop {
             key.clear();
-            key.extend([node.state.0, steps]);
+            key.extend([node.state.0, stage]);
             for subset in &subsets {
                 // The number of members keeps one observer's from running into the next one's.
                 key.push(subset.chosen.len() as u32);

@@ -29,6 +29,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashSet;
 
 use super::ground::best_first::{Admission, BestFirst, SearchSpace};
+use super::ground::stages::{Cheapest, Stages};
 use crate::goal_difference::GoalSet;
 use crate::heuristic::{GoalValues, UNREACHABLE};
 use crate::limits::{LimitReached, Limits};
@@ -44,13 +45,12 @@ use closed_list::ClosedList;
 /// problems of the paper's size are away, so that ruling one out for good is worth the way.
 const UNREACHABLE_VALUE: u32 = 64;
 
-/// The actor's state, the number of the samples of all observers, and the number of actions before
-/// (0 where there is no horizon).
+/// The actor's state, the number of the samples of all observers, and the [stage](Stages).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) struct Key {
     state: StateId,
     samples: u32,
-    steps: u32,
+    stage: u32,
 }
 
 /// States with beliefs.
@@ -65,7 +65,8 @@ struct Beliefs {
     /// What was expanded with full beliefs known.
     expanded: FxHashSet<(Node, u32)>,
     bounds: Bounds,
-    horizon: Option<usize>,
+    stages: Stages,
+    cheapest: Cheapest<(StateId, u32)>,
     scratch: Vec<u32>,
 }
 
@@ -89,7 +90,8 @@ pub(in crate::solver) fn engine(
         closed_list: ClosedList::new(),
         expanded: FxHashSet::default(),
         bounds: options.heeded_bounds(),
-        horizon,
+        stages: Stages::new(joint.problem().task(), horizon, options.cost_limit),
+        cheapest: Cheapest::new(),
         scratch: Vec::new(),
         joint,
     })
@@ -205,13 +207,11 @@ impl SearchSpace for Beliefs {
             let belief = self.joint.belief(profile, index);
             self.scratch.push(samples.of_belief(&mut self.joint, &mut self.values, belief).0);
         }
-        Key { state, samples: self.combinations.intern(&self.scratch), steps: 0 }
+        Key { state, samples: self.combinations.intern(&self.scratch), stage: Stages::FIRST }
     }
 
     fn is_goal(&mut self, key: Key) -> Result<bool, LimitReached> {
-        if self.horizon.is_some_and(|horizon| horizon != key.steps as usize)
-            || !self.joint.is_goal(key.state)
-        {
+        if !self.stages.may_end(key.stage) || !self.joint.is_goal(key.state) {
             return Ok(false);
         }
         self.keeps_bounds(key)
@@ -228,14 +228,13 @@ impl SearchSpace for Beliefs {
 
     fn expand(&mut self, key: Key, found: &mut Vec<(Action, Key)>) -> Result<(), LimitReached> {
         found.clear();
-        let steps = match self.horizon {
-            None => 0,
-            Some(horizon) if key.steps as usize == horizon => return Ok(()),
-            Some(_) => key.steps + 1,
-        };
+        if self.stages.is_last(key.stage) {
+            return Ok(());
+        }
         self.joint.states_mut().expand(key.state);
         for edge in self.joint.states().edge_range(key.state) {
             let taken = self.joint.states().all_edges()[edge];
+            let Some(stage) = self.stages.after(key.stage, taken.action) else { continue };
             self.scratch.clear();
             for (index, samples) in self.samples.iter_mut().enumerate() {
                 let before = SampleId(self.combinations.get(key.samples)[index]);
@@ -245,7 +244,9 @@ impl SearchSpace for Beliefs {
                 self.scratch.push(next.0);
             }
             let samples = self.combinations.intern(&self.scratch);
-            found.push((taken.action, Key { state: taken.target, samples, steps }));
+            if self.cheapest.admit(&self.stages, (taken.target, samples), stage) {
+                found.push((taken.action, Key { state: taken.target, samples, stage }));
+            }
         }
         Ok(())
     }
@@ -255,7 +256,7 @@ impl SearchSpace for Beliefs {
         let whole = (0..observers)
             .all(|i| self.samples[i].whole(&self.joint, self.sample(key, i)).is_some());
         if self.closed_list.size() == 1 && !whole {
-            let new = self.closed_list.close_state(key.state, observers, key.steps);
+            let new = self.closed_list.close_state(key.state, observers, key.stage);
             return Ok(if new { Admission::Expand } else { Admission::Defer });
         }
         let mut beliefs = Vec::with_capacity(observers);
@@ -264,13 +265,13 @@ impl SearchSpace for Beliefs {
             beliefs.push(self.samples[index].belief(&mut self.joint, sample)?);
         }
         let node = Node { state: key.state, profile: self.joint.profile(beliefs) };
-        if self.expanded.contains(&(node, key.steps)) {
+        if self.expanded.contains(&(node, key.stage)) {
             return Ok(Admission::Drop);
         }
-        if !self.closed_list.close(&mut self.joint, node, key.steps) {
+        if !self.closed_list.close(&mut self.joint, node, key.stage) {
             return Ok(Admission::Defer);
         }
-        self.expanded.insert((node, key.steps));
+        self.expanded.insert((node, key.stage));
         Ok(Admission::Expand)
     }
 
@@ -286,7 +287,8 @@ impl SearchSpace for Beliefs {
         let samples: u64 = self.samples.iter().map(BeliefSamples::bytes).sum();
         let expanded = (size_of::<(Node, u32)>() + 1) * self.expanded.len();
         let beliefs = self.joint.bytes() + self.values.bytes() + self.combinations.bytes();
-        beliefs + samples + expanded as u64 + self.closed_list.bytes()
+        let stages = self.stages.bytes() + self.cheapest.bytes();
+        beliefs + samples + expanded as u64 + self.closed_list.bytes() + stages
     }
 
     fn count(&self, stats: &mut Stats) {

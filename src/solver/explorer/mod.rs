@@ -8,11 +8,13 @@
 //! - [`layers`] are the nodes that plans of each length lead to,
 //! - [`ends`] are those among them that may end a plan,
 //! - [`pairs`] are the pairs of survivor counts of these,
+//! - [`cost_bounded`] asks the same of plans within a cost limit,
 //! - [`neighbourhood`] looks at the horizons around one that has no plan.
 //!
 //! Nothing is looked at that cannot reach the true goal any more. Every reachable pair is more than
 //! the Pareto front that the paper names and leaves out.
 
+pub(super) mod cost_bounded;
 mod ends;
 mod layers;
 pub(super) mod neighbourhood;

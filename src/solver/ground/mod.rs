@@ -3,6 +3,8 @@
 //! - [`transition_graphs`] are the domain transition graphs of the groups of exclusive facts,
 //! - [`endings`] are the states from which a plan can end after exactly so many more actions,
 //! - [`dead_ends`] are the states from which the true goal cannot be reached,
+//! - [`goal_costs`] are the least costs from states to the true goal,
+//! - [`stages`] are what the way to a node has used up of a horizon and of a cost limit,
 //! - [`shortest_length`] is the length of a shortest plan for the true goal,
 //! - [`search_tree`] and [`graph`] are the nodes met, with the transitions between them,
 //! - [`final_beliefs`] says whether a plan may end with what is believed,
@@ -17,8 +19,10 @@ pub(in crate::solver) mod completion;
 pub(in crate::solver) mod dead_ends;
 pub(in crate::solver) mod endings;
 pub(in crate::solver) mod final_beliefs;
+pub(in crate::solver) mod goal_costs;
 pub(in crate::solver) mod goal_distances;
 pub(in crate::solver) mod graph;
 pub(in crate::solver) mod search_tree;
 pub(in crate::solver) mod shortest_length;
+pub(in crate::solver) mod stages;
 pub(in crate::solver) mod transition_graphs;

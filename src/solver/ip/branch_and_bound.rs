@@ -17,7 +17,7 @@ use crate::problem::Problem;
 use crate::solver::Options;
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::outcome::{Progress, Stats, Status};
-use crate::trace::validate;
+use crate::trace::{check_cost, validate};
 
 /// Bytes that microlp keeps for an open node besides one for each variable and row: the changes of
 /// bounds on the way to it and its own fields.
@@ -38,6 +38,7 @@ pub(in crate::solver) struct IntegerProgram {
     encoded: Option<Encoded>,
     problem: Arc<Problem>,
     limits: Limits,
+    cost_limit: Option<u64>,
     /// Looks for a plan before the program is solved.
     starter: Box<dyn Engine>,
     state: State,
@@ -106,6 +107,7 @@ impl IntegerProgram {
             encoded,
             problem,
             limits: options.limits,
+            cost_limit: options.cost_limit,
             starter,
             state: State::Begin,
             stats,
@@ -183,6 +185,12 @@ impl IntegerProgram {
             Err(_) => return Err(LimitReached::Numerical),
         };
         self.note(encoded, &outcome);
+        // Costs of very different sizes are beyond the tolerance of the linear program.
+        let beyond = |plan: &Plan| check_cost(&self.problem, plan, self.cost_limit).is_err();
+        if self.best.as_ref().is_some_and(|(_, plan)| beyond(plan)) {
+            self.best = None;
+            return Err(LimitReached::Numerical);
+        }
         let optimal =
             outcome.solution().is_some_and(|found| found.status() == SolutionStatus::Optimal);
         if let (true, Some((objective, plan))) = (optimal, &self.best) {

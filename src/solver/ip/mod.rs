@@ -23,7 +23,11 @@ use crate::task::Action;
 
 use super::{Bounds, Encoding, Options};
 pub(super) use branch_and_bound::IntegerProgram;
-use model::{Model, Variable};
+use model::{Comparison, Model, Name, Variable};
+
+/// Greater costs are written as parts of the greatest: the errors of a linear program grow with its
+/// coefficients, and a plan at the limit would be lost by them.
+const LARGE_COST: u64 = 1_000_000;
 
 /// A problem at a horizon as an integer program.
 #[derive(Debug)]
@@ -38,6 +42,20 @@ pub(super) struct Encoded {
 }
 
 impl Encoded {
+    /// A row by which the actions cost no more than a limit.
+    fn limit_cost(&mut self, problem: &Problem, limit: u64) {
+        let task = problem.task();
+        let choices = self.choices.iter().flatten();
+        let most = choices.clone().map(|(action, _)| task.step_cost(*action)).max();
+        let unit = most.filter(|most| *most > LARGE_COST).map_or(1.0, |most| most as f64);
+        let mut terms = Vec::new();
+        for (action, variables) in choices {
+            let cost = task.step_cost(*action) as f64 / unit;
+            terms.extend(variables.iter().map(|&variable| (variable, cost)));
+        }
+        self.model.row(Name::new("cost", []), terms, Comparison::AtMost, limit as f64 / unit);
+    }
+
     /// The plan in a solution of the program.
     pub fn plan(&self, value: impl Fn(Variable) -> f64) -> Plan {
         let sum = |variables: &[Variable]| variables.iter().map(|&v| value(v)).sum::<f64>();
@@ -103,6 +121,10 @@ pub(super) fn encode(
         Encoding::Paper => paper::encode(&mut joint, &bounds, horizon)?,
         Encoding::BeliefFlow => belief_flow::encode(&mut joint, &bounds, horizon)?,
     };
+    if let (Some(encoded), Some(limit)) = (&mut encoded, options.cost_limit) {
+        encoded.limit_cost(joint.problem(), limit);
+        encoded.model.check(joint.limits())?;
+    }
     if let Some(encoded) = &mut encoded {
         let n = joint.problem().goals().len();
         encoded

@@ -15,6 +15,8 @@ mod tests;
 use std::sync::Arc;
 
 use super::engine::{Advance, Engine, Finding};
+use super::explorer::Lengths;
+use super::explorer::cost_bounded::CostBounded;
 use super::optimiser::Optimiser;
 use super::outcome::{Progress, Stats, Status};
 use super::parallel_walks::{self, ParallelWalks};
@@ -56,6 +58,12 @@ enum Stage {
     GreedyAlone(Box<dyn Engine>),
 }
 
+/// Whether parallel walks can take over: they do not mind what a plan costs.
+fn suits_walks(problem: &Problem, options: &Options, horizon: Option<usize>) -> bool {
+    options.cost_limit.is_none()
+        && parallel_walks::suits(problem, &options.heeded_bounds(), horizon)
+}
+
 impl Portfolio {
     /// For plans of any length or of exactly `horizon` actions.
     pub(super) fn new(problem: Arc<Problem>, options: &Options, horizon: Option<usize>) -> Self {
@@ -68,7 +76,7 @@ impl Portfolio {
         options: &Options,
         horizon: Option<usize>,
     ) -> Self {
-        let walks = parallel_walks::suits(&problem, &options.heeded_bounds(), horizon);
+        let walks = suits_walks(&problem, options, horizon);
         let greedy = algorithm1::engine(Arc::clone(&problem), options, horizon, walks);
         let stage = Stage::Greedy(Box::new(greedy), nodes);
         let (options, alone) = (options.clone(), options.clone());
@@ -86,9 +94,8 @@ impl Portfolio {
     /// Algorithm 1 has had its nodes, or a belief has outgrown its list. Where walks take over it is left for good: it would
     /// end there again.
     fn after_greedy(&mut self) {
-        let bounds = self.options.heeded_bounds();
         let options = self.left();
-        let walks = parallel_walks::suits(&self.problem, &bounds, self.horizon);
+        let walks = suits_walks(&self.problem, &options, self.horizon);
         let next = if walks {
             Stage::Walks(Box::new(ParallelWalks::new(&self.problem, &options)))
         } else {
@@ -110,9 +117,14 @@ impl Portfolio {
         }
     }
 
+    /// The optimiser, or under a cost limit exhaustive exploration.
     fn optimiser(&self, options: &Options) -> Stage {
-        let engine = Optimiser::new(Arc::clone(&self.problem), options, self.horizon);
-        Stage::Optimiser(Box::new(engine), None)
+        let problem = Arc::clone(&self.problem);
+        if options.cost_limit.is_some() {
+            let lengths = self.horizon.map_or(Lengths::Any, Lengths::Exactly);
+            return Stage::Optimiser(Box::new(CostBounded::new(problem, options, lengths)), None);
+        }
+        Stage::Optimiser(Box::new(Optimiser::new(problem, options, self.horizon)), None)
     }
 
     /// The optimiser has met a limit: short of memory, Algorithm 1 may need less.

@@ -108,6 +108,13 @@ impl RemedyRun {
                 expected: "nothing, since remedies are for one horizon or for all".to_owned(),
             }));
         }
+        if let Some(limit) = options.cost_limit {
+            return Err(SolveError::Options(OptionsError {
+                option: "cost limit",
+                found: limit.to_string(),
+                expected: "nothing, since remedies are not searched under a cost limit".to_owned(),
+            }));
+        }
         options.bounds = options.heeded_bounds();
         options.solver = Solver::Exact;
         options.pairs = false;
