@@ -1,6 +1,6 @@
 // `npm run benchmarks -- FOLDER`: solvers on the goal-recognition problems below FOLDER into docs/results/benchmarks/, and their
 // tables into docs/benchmarks.md. A run that was stopped goes on; with `--anew` after FOLDER all is run again.
-import { cpus } from "node:os";
+import { cpus, loadavg } from "node:os";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { inRoot } from "./lib/paths.mjs";
@@ -27,11 +27,13 @@ for (const [command, args] of steps) {
   if (code !== 0) process.exit(code);
 }
 
-// What depends on the clock says where and when.
+// What depends on the clock says where and when, and what else the machine did.
 const tables = inRoot("docs", "results", name, "tables.md");
 const [cpu] = cpus();
 const day = new Date().toISOString().slice(0, 10);
-const where = `Measured on ${day}, release build, one problem at a time, on ${cpus().length} cores of ${cpu.model.trim()}.\n\n`;
+const machine = `${cpus().length} cores of ${cpu.model.trim()}`;
+const load = `load average of its last 15 minutes ${loadavg()[2].toFixed(1)}`;
+const where = `Measured on ${day}, release build, one problem at a time, on ${machine} (${load}).\n\n`;
 writeFileSync(tables, where + readFileSync(tables, "utf8"));
 showTables("benchmarks.md", [name]);
 console.log("The tables of docs/benchmarks.md are those of docs/results/benchmarks/.");

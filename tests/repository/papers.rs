@@ -34,11 +34,16 @@ fn both_licences_are_there() {
     assert!(read("LICENSE-APACHE").contains("Apache License"));
 }
 
-/// `npm run experiments` writes the tables; nobody edits a number by hand.
+/// `npm run experiments` and `npm run benchmarks` write the tables; nobody edits a number by hand.
 #[test]
 fn the_tables_of_the_experiments_are_those_of_their_results() {
-    let document = read("docs/experiments.md");
-    for figure in ["fig3", "fig4"] {
+    let documents = [
+        ("docs/experiments.md", "fig3"),
+        ("docs/experiments.md", "fig4"),
+        ("docs/benchmarks.md", "benchmarks"),
+    ];
+    for (document, figure) in documents {
+        let document = read(document);
         let tables = read(format!("docs/results/{figure}/tables.md"));
         let begin = format!("<!-- tables of {figure} -->\n\n");
         let end = format!("\n<!-- end of tables of {figure} -->");
