@@ -286,3 +286,68 @@ fn links_to_folders_are_not_followed() {
     assert_eq!((&records[1]["problem"], &records[1]["domain"]), (&json!("."), &json!("p1")));
     assert_eq!(records[1]["status"], "solved");
 }
+
+/// The processes that a process has started.
+#[cfg(target_os = "linux")]
+fn children(process: u32) -> Vec<u32> {
+    let Ok(threads) = fs::read_dir(format!("/proc/{process}/task")) else { return Vec::new() };
+    let of = |thread: fs::DirEntry| fs::read_to_string(thread.path().join("children")).ok();
+    let texts: Vec<String> = threads.flatten().filter_map(of).collect();
+    texts.iter().flat_map(|text| text.split_whitespace()).map(|id| id.parse().unwrap()).collect()
+}
+
+/// Starts a run of one job that takes very long; the run and the process of the job.
+#[cfg(target_os = "linux")]
+fn long_run(name: &str) -> (std::process::Child, u32, PathBuf) {
+    let folder = empty(name).join("problems");
+    fs::create_dir_all(&folder).unwrap();
+    // No plan keeps these bounds, and Algorithm 1 takes very long to find that out.
+    let drawn = mo_copp("", &["generate", "logistics", "--seed", "1"]);
+    fs::write(folder.join("long.json"), drawn.out).unwrap();
+    let out = folder.with_file_name("out");
+    let asked = ["--solver", "search", "--k", "5", "--j", "1", "--time-limit", "none"];
+    let places = [folder.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let begin = ["experiment", "benchmarks"];
+    let run = crate::command(&[&begin[..], &places, &asked].concat()).spawn().unwrap();
+    let job = loop {
+        if let Some(job) = children(run.id()).first() {
+            break *job;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    };
+    (run, job, out)
+}
+
+#[cfg(target_os = "linux")]
+fn signal(name: &str, process: u32) {
+    let kill = std::process::Command::new("kill").args([name, &process.to_string()]).status();
+    assert!(kill.unwrap().success());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_solver_that_breaks_down_leaves_a_record() {
+    let (run, job, out) = long_run("broken");
+    signal("-KILL", job);
+    let ran = crate::ran(run.wait_with_output().unwrap());
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let records = lines(&out.join("records.jsonl"));
+    let failed = record(&records, "long.json", "search");
+    assert_eq!((&failed["status"], &failed["plan"]), (&json!("failed"), &Value::Null));
+    assert!(failed["refusal"].as_str().unwrap().contains("signal: 9"), "{failed}");
+    assert!(ran.out.contains("| search | solver failed | 1 |"), "{}", ran.out);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_stopped_run_ends_its_jobs_and_records_nothing_of_them() {
+    for name in ["-INT", "-TERM"] {
+        let (run, job, out) = long_run("stopped");
+        signal(name, run.id());
+        let ran = crate::ran(run.wait_with_output().unwrap());
+        assert_eq!(ran.code, 3, "{}", ran.err);
+        assert!(ran.err.contains("the same command goes on from there"), "{}", ran.err);
+        assert!(!Path::new(&format!("/proc/{job}")).exists(), "the job goes on");
+        assert_eq!(lines(&out.join("records.jsonl")).len(), 1);
+    }
+}
