@@ -1,7 +1,8 @@
 // `npm run benchmarks -- FOLDER`: solvers on the goal-recognition problems below FOLDER into docs/results/benchmarks/, and their
 // tables into docs/benchmarks.md. A run that was stopped goes on; with `--anew` after FOLDER all is run again.
-import { cpus, loadavg } from "node:os";
+
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpus, loadavg } from "node:os";
 import { resolve } from "node:path";
 import { inRoot } from "./lib/paths.mjs";
 import { run } from "./lib/run.mjs";

@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { inRoot } from "./paths.mjs";
 
-/// Puts `docs/results/NAME/tables.md` between the two comments that name it, for each name.
+/** Puts `docs/results/NAME/tables.md` between the two comments that name it, for each name. */
 export function showTables(document, names) {
   const path = inRoot("docs", document);
   let text = readFileSync(path, "utf8");
