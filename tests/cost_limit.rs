@@ -285,7 +285,7 @@ fn slices_change_no_answer() {
 fn costs_of_any_size_are_counted_right() {
     let mut dice = Dice::new(706);
     let mut beyond = 0;
-    for _ in 0..300 {
+    for number in 0..300 {
         let table = random::table(&mut dice, SMALL, &PAIR);
         let large = |dice: &mut Dice| dice.pick(&[0, 1, u64::MAX / 2, u64::MAX - 1, u64::MAX]);
         let costs: Vec<u64> = table.actions.iter().map(|_| large(&mut dice)).collect();
@@ -304,7 +304,11 @@ fn costs_of_any_size_are_counted_right() {
                 assert!(plan.is_none_or(|plan| cost(plan) <= u128::from(limit)));
             }
         }
-        // The integer program either agrees with exact search or says that it cannot tell.
+        // The integer program, which takes longer, either agrees with exact search or says that it cannot
+        // tell.
+        if number % 10 != 0 {
+            continue;
+        }
         for (limit, encoding) in [1, u64::MAX / 2 + 1].into_iter().zip(Encoding::ALL) {
             let at = |solver| {
                 let options = Judge::options(solver, Some(2), &Wish::default());

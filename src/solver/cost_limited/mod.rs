@@ -34,6 +34,8 @@ pub(super) struct CostLimited {
     stage: Stage,
     /// The best plan within the limit that the optimiser met, with its goal difference.
     kept: Option<(f64, Plan, Vec<Witness>)>,
+    /// Whether that is proved to be the best of all, so that the optimiser goes on to a shorter one.
+    proved: bool,
     /// No plan has a greater goal difference.
     bound: Option<f64>,
     /// What the optimiser took.
@@ -66,6 +68,7 @@ impl CostLimited {
             horizon,
             stage: Stage::Relaxed(Box::new(optimiser), expansions),
             kept: None,
+            proved: false,
             bound: None,
             earlier: Stats::default(),
         }
@@ -103,11 +106,21 @@ impl CostLimited {
     /// One expansion of the optimiser. One at a time, so that the answer does not depend on slices.
     fn relaxed(&mut self) -> Option<Finding> {
         let Stage::Relaxed(optimiser, left) = &mut self.stage else { return None };
-        if *left == 0 {
-            self.explore();
-            return None;
+        if *left == 0 && !self.proved {
+            let mut progress = Progress::new(self.options.solver, self.horizon);
+            optimiser.report(&mut progress);
+            self.proved = progress.gap() == Some(0.0)
+                && progress.plan.as_ref().is_some_and(|plan| self.is_within(plan));
+            if !self.proved {
+                self.explore();
+                return None;
+            }
+            let plan = progress.plan.unwrap_or_default();
+            let difference = progress.goal_difference.unwrap_or_default();
+            self.kept = Some((difference, plan, progress.witnesses));
         }
-        *left -= 1;
+        let Stage::Relaxed(optimiser, left) = &mut self.stage else { return None };
+        *left = left.saturating_sub(1);
         match optimiser.advance(1) {
             Ok(Advance::Working) => None,
             Ok(Advance::Finished(finding)) => {

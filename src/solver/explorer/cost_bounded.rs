@@ -138,7 +138,7 @@ impl CostBounded {
     fn meet(&mut self, reach: &Reach, label: Label, steps: usize) {
         let state = label.node.state;
         let left = self.cost_limit - label.cost;
-        if reach.costs.least(state).is_none_or(|least| least > left) {
+        if reach.costs.least(self.joint.states(), state).is_none_or(|least| least > left) {
             return;
         }
         if let (Some(longest), Some(distances)) = (self.longest(), &reach.distances)
@@ -218,7 +218,7 @@ impl CostBounded {
             && self.cheapest.get(&node).is_some_and(|cheapest| *cheapest < cost);
         if !stale {
             let mut found = std::mem::take(&mut self.found);
-            let reached = |state: StateId| reach.costs.least(state).is_some();
+            let reached = |state: StateId| reach.costs.may_reach(state);
             let expanded = self.joint.expand(node, reached, &mut found);
             self.expansions += 1;
             for &(action, node) in &found {

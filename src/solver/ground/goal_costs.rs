@@ -1,11 +1,13 @@
-//! The least cost from each state to the true goal: what a plan through a state must still pay.
+//! The least cost from each state to the true goal: what a plan through a state must still pay, or no more
+//! than that.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use super::goal_distances::{Combine, GoalDistances, NEVER as NO_DISTANCE};
 use crate::limits::LimitReached;
-use crate::problem::JointSpace;
-use crate::task::StateId;
+use crate::problem::{JointSpace, Problem};
+use crate::task::{Operator, StateId, StateSpace};
 
 /// The cost of a state from which the true goal cannot be reached.
 const NEVER: u64 = u64::MAX;
@@ -13,10 +15,58 @@ const NEVER: u64 = u64::MAX;
 /// State spaces above this size are not gone through before the search itself.
 const MOST_STATES: usize = 200_000;
 
-/// Least costs, by state. None when the state space was too large to go through first.
+/// Least costs of states.
 #[derive(Debug)]
-pub(in crate::solver) struct GoalCosts {
-    costs: Option<Vec<u64>>,
+pub(in crate::solver) enum GoalCosts {
+    /// The true ones, by state.
+    Listed(Vec<u64>),
+    /// Estimates that are never more, where the state space is too large to go through first.
+    Projected(Box<Projections>),
+}
+
+/// Estimates from [atomic projections](GoalDistances), each action at the price of the cheapest.
+#[derive(Debug)]
+pub(in crate::solver) struct Projections {
+    goal: usize,
+    largest: GoalDistances,
+    sum: GoalDistances,
+    /// The most groups of the goal's facts that an operator changes: it brings the sum down by no more
+    /// (uniform cost partitioning: Katz and Domshlak 2010, on abstractions).
+    changed: u64,
+    cheapest: u64,
+}
+
+impl Projections {
+    fn new(problem: &Problem, memory: u64) -> Self {
+        let task = problem.task();
+        let group = |fact| task.layout().group(fact);
+        let wanted: Vec<usize> = task.goal().iter().map(|fact| group(*fact)).collect();
+        let changed = |operator: &Operator| {
+            let effects = operator.add.iter().chain(&operator.delete);
+            let mut groups: Vec<usize> = effects.map(|fact| group(*fact)).collect();
+            groups.sort_unstable();
+            groups.dedup();
+            groups.iter().filter(|group| wanted.contains(group)).count() as u64
+        };
+        let operators = task.operators();
+        Self {
+            goal: problem.true_goal(),
+            largest: GoalDistances::new(problem, Combine::Max, memory),
+            sum: GoalDistances::new(problem, Combine::Sum, memory),
+            changed: operators.iter().map(changed).max().unwrap_or(1).max(1),
+            cheapest: operators.iter().map(|op| task.step_cost(op.action)).min().unwrap_or(0),
+        }
+    }
+
+    fn least(&self, states: &StateSpace, state: StateId) -> Option<u64> {
+        let of = |distances: &GoalDistances| distances.measured(states, state)[self.goal];
+        let (largest, sum) = (of(&self.largest), of(&self.sum));
+        if largest == NO_DISTANCE {
+            return None;
+        }
+        let steps = u64::from(largest).max(u64::from(sum).div_ceil(self.changed));
+        Some(steps.saturating_mul(self.cheapest))
+    }
 }
 
 impl GoalCosts {
@@ -28,12 +78,17 @@ impl GoalCosts {
     ///
     /// The memory limit.
     pub(in crate::solver) fn new(joint: &mut JointSpace) -> Result<Self, LimitReached> {
+        Self::listing(joint, MOST_STATES)
+    }
+
+    fn listing(joint: &mut JointSpace, most: usize) -> Result<Self, LimitReached> {
         joint.initial();
         let limits = *joint.limits();
         let mut index = 0;
         while index < joint.states().len() {
-            if joint.states().len() > MOST_STATES {
-                return Ok(Self { costs: None });
+            if joint.states().len() > most {
+                let projections = Projections::new(joint.problem(), limits.bytes);
+                return Ok(Self::Projected(Box::new(projections)));
             }
             joint.states_mut().expand(StateId(index as u32));
             index += 1;
@@ -72,18 +127,93 @@ impl GoalCosts {
                 }
             }
         }
-        Ok(Self { costs: Some(costs) })
+        Ok(Self::Listed(costs))
     }
 
-    /// The least cost from a state to the true goal, none where it cannot be reached; 0 for all states
-    /// of a space that was too large.
-    pub(in crate::solver) fn least(&self, state: StateId) -> Option<u64> {
-        let Some(costs) = &self.costs else { return Some(0) };
-        costs.get(state.index()).copied().filter(|cost| *cost != NEVER)
+    /// No way from a state to the true goal costs less; none where there is none.
+    pub(in crate::solver) fn least(&self, states: &StateSpace, state: StateId) -> Option<u64> {
+        match self {
+            Self::Listed(costs) => listed(costs, state),
+            Self::Projected(projections) => projections.least(states, state),
+        }
+    }
+
+    /// Whether a state is worth a look: false where it is known at once that the true goal cannot be
+    /// reached.
+    pub(in crate::solver) fn may_reach(&self, state: StateId) -> bool {
+        match self {
+            Self::Listed(costs) => listed(costs, state).is_some(),
+            Self::Projected(_) => true,
+        }
     }
 
     /// Bytes in use, counted by contents.
     pub(in crate::solver) fn bytes(&self) -> u64 {
-        self.costs.as_ref().map_or(0, |costs| 8 * costs.len() as u64)
+        match self {
+            Self::Listed(costs) => 8 * costs.len() as u64,
+            Self::Projected(projections) => projections.largest.bytes() + projections.sum.bytes(),
+        }
+    }
+}
+
+fn listed(costs: &[u64], state: StateId) -> Option<u64> {
+    costs.get(state.index()).copied().filter(|cost| *cost != NEVER)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::panic, clippy::unwrap_used)]
+
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::common::Dice;
+    use crate::common::random::{self, MEDIUM, PAIR};
+    use crate::common::strips::Strips;
+    use crate::limits::Limits;
+
+    /// Held against what one step changes: the least cost of a state is no more than that of a successor
+    /// and the action together, and 0 at the goal; the estimates are never more.
+    #[test]
+    fn estimates_are_never_more_than_the_least_cost() {
+        let mut dice = Dice::new(721);
+        let (mut equal, mut less, mut never) = (0, 0, 0);
+        for number in 0..3000 {
+            let problem = if number % 2 == 0 {
+                Arc::clone(&Strips::random(&mut dice, 6, 8, &PAIR).judge().problem)
+            } else {
+                let table = random::table(&mut dice, MEDIUM, &PAIR);
+                let costs: Vec<u64> =
+                    table.actions.iter().map(|_| dice.between(1, 5) as u64).collect();
+                table.built_with_costs(0, Some(&costs))
+            };
+            let mut joint = JointSpace::new(problem, Limits::default());
+            let costs = GoalCosts::listing(&mut joint, usize::MAX).unwrap();
+            let projected = GoalCosts::listing(&mut joint, 0).unwrap();
+            assert!(matches!(projected, GoalCosts::Projected(_)));
+            for index in 0..joint.states().len() {
+                let state = StateId(index as u32);
+                let least = costs.least(joint.states(), state);
+                if joint.is_goal(state) {
+                    assert_eq!(least, Some(0));
+                } else {
+                    let task = joint.states().task();
+                    let on = joint.states().edges(state).iter().filter_map(|edge| {
+                        let rest = costs.least(joint.states(), edge.target)?;
+                        Some(rest + task.step_cost(edge.action))
+                    });
+                    assert_eq!(least, on.min());
+                }
+                match (projected.least(joint.states(), state), least) {
+                    (estimate, None) => never += usize::from(estimate.is_none()),
+                    (Some(estimate), Some(least)) => {
+                        assert!(estimate <= least, "{estimate} {least}");
+                        *(if estimate == least { &mut equal } else { &mut less }) += 1;
+                    }
+                    (None, Some(least)) => panic!("out of reach, but {least} away"),
+                }
+            }
+        }
+        assert!(equal > 1000 && less > 1000 && never > 1000, "{equal} {less} {never}");
     }
 }
