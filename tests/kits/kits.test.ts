@@ -137,6 +137,14 @@ test("reveal.js: an arrow key turns the slide or the step, and never both", () =
       await page.keyboard.press("ArrowLeft");
       await ready(page, '[data-step="3"]');
       assert.equal(await slide(), 1);
+      // The help is above the slide: its keys are its own.
+      await page.keyboard.press("?");
+      await page.locator("dialog.help[open]").waitFor();
+      await page.keyboard.press("ArrowLeft");
+      await page.keyboard.press("Escape");
+      await page.locator("dialog.help[open]").waitFor({ state: "detached" });
+      assert.equal(await slide(), 1);
+      assert.equal(await page.locator(".reveal.overview").count(), 0);
     },
     { ...kit, quiet: false },
   ));

@@ -111,6 +111,49 @@ test("keys that the playground handles never reach the page, and the others do",
     assert.deepEqual(await heard(), ["keydown End", "keyup End"]);
   }));
 
+test("keys in its dialogs and on its boards are the playground's alone, pressed and released", () =>
+  visit(async ({ page }) => {
+    await lesson(
+      page,
+      `<mo-copp-playground id="one" link="off"></mo-copp-playground>
+      <script>
+        window.heard = [];
+        for (const type of ["keydown", "keyup", "keypress"])
+          document.addEventListener(type, (event) => window.heard.push(event.type + " " + event.key));
+      </script>`,
+    );
+    await ready(page);
+    const step = await page.locator("#one").getAttribute("data-step");
+    const heard = () => page.evaluate("window.heard.splice(0)") as Promise<string[]>;
+    const button = (name: string) => page.locator("#one").getByRole("button", { name, exact: true });
+    const openers: [opener: string, key: string, dialog: string][] = [
+      ["Help", "?", "dialog.help"],
+      ["Save picture", "Enter", "dialog.picture-sheet"],
+    ];
+    for (const [opener, key, dialog] of openers) {
+      await button(opener).focus();
+      await page.keyboard.press(key);
+      await page.locator(dialog).waitFor();
+      for (const pressed of ["ArrowLeft", "ArrowRight", "n", "Control+z"]) await page.keyboard.press(pressed);
+      // Where the focus is on nothing, too.
+      await page.locator(`${dialog} h2`).click({ timeout: 5000 });
+      for (const pressed of ["ArrowLeft", "n"]) await page.keyboard.press(pressed);
+      await page.keyboard.press("Escape");
+      await page.locator(`${dialog}[open]`).waitFor({ state: "detached" });
+      assert.deepEqual(await heard(), [], dialog);
+    }
+    await page
+      .locator("#one")
+      .getByRole("application", { name: /^The agent on a grid/ })
+      .focus();
+    for (const pressed of ["ArrowRight", "ArrowLeft", " ", " "]) await page.keyboard.press(pressed);
+    assert.deepEqual(await heard(), []);
+    assert.equal(await page.locator("#one").getAttribute("data-step"), step);
+    // What nothing here is for is the page's, down and up.
+    await page.keyboard.press("PageDown");
+    assert.deepEqual(await heard(), ["keydown PageDown", "keyup PageDown"]);
+  }));
+
 test("twenty lazy playgrounds fetch nothing but the script until they near the view", () =>
   visit(async ({ page, requests }) => {
     await page.goto("about:blank");

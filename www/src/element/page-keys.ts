@@ -13,38 +13,38 @@ export type KeyReach = (typeof keyReaches)[number];
 /** The playgrounds of the page, in the order in which they came: the first has the keys when no other has the focus. */
 const listening: PageKeys[] = [];
 
+/** The keys, by their codes, whose press the page did not hear of: it hears of nothing more until they are released. */
+const unheard = new Set<string>();
+
 const own = `dialog, [role=tab], [role=slider], [role=application], [role=grid], [role=listbox], [role=radio]`;
 
 export class PageKeys {
-  /** The keys that were handled when they went down: the page does not hear of them going up either. */
-  private readonly handled = new Set<string>();
-
   constructor(
     private readonly playground: Playground,
     /** What the playground is drawn into. */
     private readonly root: HTMLElement,
+    /** Where its keys are heard: its shadow root, in which its dialogs stand beside what is drawn; without one, what it is drawn into. */
+    private readonly scope: ShadowRoot | HTMLElement,
     private readonly reach: () => KeyReach,
   ) {}
 
   listen(): void {
-    this.root.addEventListener("keydown", this.pressed);
-    this.root.addEventListener("keypress", this.rest);
-    this.root.addEventListener("keyup", this.rest);
+    this.scope.addEventListener("keydown", notYetHeard, { capture: true });
+    this.scope.addEventListener("keydown", this.pressed);
     if (listening.length === 0) {
       window.addEventListener("keydown", pressedOutside, { capture: true });
-      window.addEventListener("keyup", releasedOutside, { capture: true });
+      for (const type of ["keypress", "keyup"]) window.addEventListener(type, rest, { capture: true });
     }
     listening.push(this);
   }
 
   release(): void {
-    this.root.removeEventListener("keydown", this.pressed);
-    this.root.removeEventListener("keypress", this.rest);
-    this.root.removeEventListener("keyup", this.rest);
+    this.scope.removeEventListener("keydown", notYetHeard, { capture: true });
+    this.scope.removeEventListener("keydown", this.pressed);
     listening.splice(listening.indexOf(this), 1);
     if (listening.length > 0) return;
     window.removeEventListener("keydown", pressedOutside, { capture: true });
-    window.removeEventListener("keyup", releasedOutside, { capture: true });
+    for (const type of ["keypress", "keyup"]) window.removeEventListener(type, rest, { capture: true });
   }
 
   /** Whether keys that are for nothing on the page are for this. */
@@ -57,11 +57,12 @@ export class PageKeys {
   }
 
   contains(event: Event): boolean {
-    return event.composedPath().includes(this.root);
+    return event.composedPath().includes(this.scope);
   }
 
+  /** Whether a dialog of this playground's own is open above the page. */
   modal(): boolean {
-    return this.root.getRootNode() instanceof ShadowRoot && this.root.querySelector("dialog:modal") !== null;
+    return this.scope instanceof ShadowRoot && this.scope.querySelector("dialog:modal") !== null;
   }
 
   /** Does what a key is for; it then is handled. */
@@ -99,19 +100,20 @@ export class PageKeys {
     return true;
   }
 
-  private readonly pressed = (event: KeyboardEvent) => {
+  private readonly pressed = (event: Event) => {
+    if (!(event instanceof KeyboardEvent)) return;
     const on = placeOf(event);
-    if (!event.defaultPrevented && this.reach() !== "off") this.take(event, on);
-    if (!event.defaultPrevented && !isNative(event, on)) return;
-    this.handled.add(event.code);
-    event.stopPropagation();
-  };
-
-  private readonly rest = (event: KeyboardEvent) => {
-    if (this.handled.has(event.code) || (event.type === "keypress" && inField(event))) event.stopPropagation();
-    if (event.type === "keyup") this.handled.delete(event.code);
+    const behind = on.closest("dialog") !== null;
+    if (!event.defaultPrevented && !behind && this.reach() !== "off") this.take(event, on);
+    if (event.defaultPrevented || isNative(event, on)) event.stopPropagation();
+    else unheard.delete(event.code);
   };
 }
+
+/** What is stopped inside of the playground, the page does not hear of either. */
+const notYetHeard = (event: Event) => {
+  if (event instanceof KeyboardEvent) unheard.add(event.code);
+};
 
 const placeOf = (event: Event): Element => {
   const [target] = event.composedPath();
@@ -128,22 +130,31 @@ function isNative(event: KeyboardEvent, on: Element): boolean {
 
 /** Of keys pressed outside of every playground, those that are for the first that takes them come before the page's. */
 function pressedOutside(event: KeyboardEvent): void {
+  unheard.delete(event.code);
   if (listening.some((keys) => keys.contains(event))) return;
   const on = placeOf(event);
   const nowhere = on === document.body || on === document.documentElement;
+  if (listening.some((keys) => keys.modal())) {
+    // In a dialog, too, the focus may be on nothing.
+    if (nowhere) keepFromPage(event);
+    return;
+  }
   const dragging = listening.find((keys) => keys.dragging);
   const taker = dragging ?? listening.find((keys) => keys.hasPage);
   if (taker === undefined || event.defaultPrevented) return;
   if (dragging === undefined && !nowhere && (event.key !== "?" || inField(event))) return;
-  if (document.querySelector("dialog:modal") !== null || listening.some((keys) => keys.modal())) return;
+  if (document.querySelector("dialog:modal") !== null) return;
   taker.take(event, on);
-  if (!event.defaultPrevented) return;
-  handledOutside.add(event.code);
+  if (event.defaultPrevented) keepFromPage(event);
+}
+
+function keepFromPage(event: KeyboardEvent): void {
+  unheard.add(event.code);
   event.stopPropagation();
 }
 
-const handledOutside = new Set<string>();
-
-function releasedOutside(event: KeyboardEvent): void {
-  if (handledOutside.delete(event.code)) event.stopPropagation();
+function rest(event: Event): void {
+  if (!(event instanceof KeyboardEvent) || !unheard.has(event.code)) return;
+  event.stopPropagation();
+  if (event.type === "keyup") unheard.delete(event.code);
 }

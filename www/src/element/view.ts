@@ -110,7 +110,7 @@ export class View {
     this.copier = new LinkCopier(this.address);
     this.drops = new DropTarget(this.playground);
     this.announcer = new Announcer(this.playground);
-    this.keys = new PageKeys(this.playground, root, () => keyReachOf(host));
+    this.keys = new PageKeys(this.playground, root, host.shadowRoot ?? root, () => keyReachOf(host));
     this.picture = new LiveRender(
       root,
       () => this.content(),
