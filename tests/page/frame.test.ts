@@ -14,19 +14,28 @@ interface Message {
   height?: number;
   score?: number | null;
   state?: { document: string; step: number };
+  message_id?: string;
   detail?: { step?: number; status?: string };
 }
 
-async function around(page: Page): Promise<void> {
-  await page.route(`${address}lesson/frame.html`, (route) =>
+/** A page around a frame. As course systems do at a first visit, it answers with an empty state. */
+async function around(page: Page, host = address): Promise<void> {
+  await page.route(`${host}lesson/frame.html`, (route) =>
     route.fulfill({
       contentType: "text/html",
       body: `<!doctype html><html lang="en"><title>Around</title>
-        <script>window.heard = []; addEventListener("message", ({ data }) => window.heard.push(data));</script>
+        <script>
+          window.heard = [];
+          addEventListener("message", ({ source, data }) => {
+            window.heard.push(data);
+            const { subject, message_id } = data;
+            if (subject === "SPLICE.getState") source.postMessage({ subject: subject + ".response", message_id, state: {} }, "*");
+          });
+        </script>
         <iframe src="../index.html?problem=corridor&amp;hide=intro,footer,workbench" title="Frame" width="900" height="300"></iframe>`,
     }),
   );
-  await page.goto(`${address}lesson/frame.html`);
+  await page.goto(`${host}lesson/frame.html`);
 }
 
 const heard = (page: Page) => page.evaluate(() => (window as unknown as { heard: Message[] }).heard);
@@ -72,6 +81,7 @@ test("what has another shape, another version or another sender is ignored", () 
     await frame.locator('mo-copp-playground[data-status="optimal"]').waitFor();
     await say(page, { ...ours, command: "step", step: 5 });
     await frame.locator('mo-copp-playground[data-step="5"]').waitFor();
+    const state = { document: grid(), step: 1 };
     for (const message of [
       "step",
       null,
@@ -81,11 +91,23 @@ test("what has another shape, another version or another sender is ignored", () 
       { ...ours, command: "step", step: "1" },
       { ...ours, command: "theme", theme: "url(x)" },
       { ...ours, command: "document", document: 3 },
-      { ...ours, command: "document", document: "x".repeat(2_000_001) },
+      { ...ours, command: "document", document: {} },
+      { ...ours, command: "document", document: "hello" },
+      { ...ours, command: "document", document: grid() + " ".repeat(2_000_000) },
+      { ...ours, command: "state", state: {} },
+      { ...ours, command: "state", state: { document: "hello", step: 1 } },
       { ...ours, command: "run", code: "alert(1)" },
       { subject: "SPLICE.getState.response", state: "text" },
+      { subject: "SPLICE.getState.response", state: { score: 1 } },
+      { subject: "SPLICE.getState.response", message_id: "another’s", state },
     ])
       await say(page, message);
+    // No text can be made of it.
+    await page.evaluate((ours) => {
+      const document: Record<string, unknown> = { format: "gridworld" };
+      document.self = document;
+      window.frames[0]?.postMessage({ ...ours, command: "document", document }, "*");
+    }, ours);
     // From the frame itself, and not from the page around it.
     await frame.locator("body").evaluate(() => {
       window.postMessage({ type: "mo-copp", version: 1, command: "step", step: 1 }, "*");
@@ -94,4 +116,28 @@ test("what has another shape, another version or another sender is ignored", () 
     assert.equal(await frame.locator("mo-copp-playground").getAttribute("data-step"), "5");
     assert.equal(await frame.locator("mo-copp-playground").getAttribute("data-status"), "optimal");
     assert.equal(await frame.locator("body").getAttribute("data-scheme"), null);
+    assert.equal(await frame.getByRole("alert").textContent(), "");
+    const message_id = (await heard(page)).find(({ subject }) => subject === "SPLICE.getState")?.message_id;
+    await say(page, { subject: "SPLICE.getState.response", message_id, state });
+    await frame.locator('mo-copp-playground[data-step="1"]').waitFor();
+  }));
+
+test("a frame of a host without https says the same", () =>
+  visit(async ({ page }) => {
+    const host = "http://lecture.example/";
+    await page.route(`${host}**`, async (route) =>
+      route.fulfill({ response: await route.fetch({ url: route.request().url().replace(host, address) }) }),
+    );
+    await around(page, host);
+    assert.equal(
+      await page
+        .frameLocator("iframe")
+        .locator("body")
+        .evaluate(() => window.isSecureContext),
+      false,
+    );
+    await says(page, { ...ours, event: "state" });
+    const uuid = /^[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$/;
+    for (const subject of ["SPLICE.getState", "SPLICE.reportScoreAndState"])
+      assert.match((await heard(page)).find((message) => message.subject === subject)?.message_id ?? "", uuid);
   }));

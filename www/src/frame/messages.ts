@@ -4,6 +4,7 @@
 // state. Beside our own messages stand those that course systems know: `lti.frameResize` and the SPLICE messages. What
 // comes from any window but the one around the frame, or has another shape, is ignored.
 import type { MoCoppPlayground } from "../element/mo-copp-playground.js";
+import { messageId } from "./message-id.js";
 import { isObject, isSpliceState, readCommand } from "./shapes.js";
 
 export const PROTOCOL = "mo-copp";
@@ -15,14 +16,15 @@ const QUIET_MS = 500;
 /** Begins to talk, where there is a page around this one. */
 export function talk(playground: MoCoppPlayground): void {
   if (window.parent === window) return;
-  listen(playground);
+  const asked = messageId();
+  listen(playground, asked);
   tellHeight();
   tellSteps(playground);
   tellScoreAndState(playground);
   tell({ event: "ready" });
   send({
     subject: "SPLICE.getState",
-    message_id: crypto.randomUUID(),
+    message_id: asked,
     activity_id: location.href.replace(/#.*$/s, ""),
   });
 }
@@ -32,10 +34,11 @@ const send = (message: object) => window.parent.postMessage(message, "*");
 
 const tell = (message: object) => send({ type: PROTOCOL, version: VERSION, ...message });
 
-function listen(playground: MoCoppPlayground): void {
+/** `asked`: the message by which the state of the last visit was asked for. */
+function listen(playground: MoCoppPlayground, asked: string): void {
   window.addEventListener("message", ({ source, data }: MessageEvent<unknown>) => {
     if (source !== window.parent || !isObject(data)) return;
-    if (isSpliceState(data)) {
+    if (isSpliceState(data, asked)) {
       playground.state = data.state as typeof playground.state;
       return;
     }
@@ -43,7 +46,7 @@ function listen(playground: MoCoppPlayground): void {
     if (command === null) return;
     if (command.command === "step") void playground.goTo(command.step);
     else if (command.command === "theme") playground.setAttribute("theme", command.theme);
-    else if (command.command === "document") playground.document = command.document as typeof playground.document;
+    else if (command.command === "document") playground.document = command.document;
     else playground.state = command.state as typeof playground.state;
   });
 }
@@ -82,7 +85,7 @@ function tellScoreAndState(playground: MoCoppPlayground): void {
     tell({ event: "state", score, state });
     send({
       subject: "SPLICE.reportScoreAndState",
-      message_id: crypto.randomUUID(),
+      message_id: messageId(),
       activity_id: location.href.replace(/#.*$/s, ""),
       ...(score === null ? {} : { score }),
       state,
