@@ -291,3 +291,75 @@ test("links, fields and numbers in the prose drive the playground and follow it"
     await page.locator("#other").click();
     await ready(page, '[data-step="1"]');
   }));
+
+test("prose wakes a playground that waits below, brings it into sight, and follows it from wherever it stands", () =>
+  visit(async ({ page }) => {
+    const far = one.replace("<mo-copp-playground", '<mo-copp-playground loading="lazy"');
+    const show = (name: string) => `<b class="${name}" data-mo-copp-for="one" data-mo-copp-show="${name}">?</b>`;
+    await lesson(
+      page,
+      `<p><a id="to" href="#one" data-mo-copp-for="one" data-mo-copp-set-step="2">Two steps</a>
+        <button id="short" data-mo-copp-for="one" data-mo-copp-set-plan="Straight there">Straight</button>
+        <button id="wrong" data-mo-copp-for="one" data-mo-copp-set-problem="nowhere">Elsewhere</button>
+        <input id="field" type="number" data-mo-copp-for="one" data-mo-copp-show="step">
+        ${show("gd")} ${show("status")}</p><div style="height: 4000px"></div>${far}<div style="height: 4000px"></div>`,
+    );
+    await page.waitForSelector("#one[data-status=idle]");
+    const says = (name: string, text: string) =>
+      page
+        .locator(`b.${name}`, { hasText: new RegExp(`^${text}$`) })
+        .first()
+        .waitFor();
+    const told = () => page.evaluate(() => document.querySelector(".gd")?.textContent);
+    assert.equal(await told(), "?");
+    // A link to another tab is the browser's.
+    const prevented = await page.locator("#to").evaluate((link) => {
+      const click = new MouseEvent("click", { ctrlKey: true, bubbles: true, cancelable: true });
+      let prevented = false;
+      addEventListener(
+        "click",
+        (event) => {
+          prevented = event.defaultPrevented;
+          event.preventDefault();
+        },
+        { once: true },
+      );
+      link.dispatchEvent(click);
+      return prevented;
+    });
+    assert.equal(prevented, false);
+    assert.equal(await page.locator("#one").getAttribute("step"), null);
+    await page.locator("#to").click();
+    await ready(page, '[data-step="2"]');
+    const inSight = () =>
+      page.locator("#one").evaluate((host) => {
+        const { top, bottom } = host.getBoundingClientRect();
+        return Math.min(bottom, innerHeight) - Math.max(top, 0);
+      });
+    assert((await inSight()) > 240, `${await inSight()}`);
+    assert.equal(await page.evaluate(() => location.hash), "");
+    // What is in sight already stays where it is.
+    await page.evaluate(() => document.querySelector("#one")?.scrollIntoView({ block: "start" }));
+    const at = await page.evaluate(() => scrollY);
+    await page.locator("#short").dispatchEvent("click");
+    await says("gd", "0\\.333");
+    assert.equal(await page.evaluate(() => scrollY), at);
+    // Prose that comes later, and whose attributes come later.
+    await page.evaluate(
+      (late) => document.body.insertAdjacentHTML("beforeend", late),
+      `<p>${show("steps")} <b class="count">?</b></p>`,
+    );
+    await says("steps", "3");
+    await page.locator("b.count").evaluate((part) => {
+      Object.assign((part as HTMLElement).dataset, { moCoppFor: "one", moCoppShow: "adversarial-count" });
+    });
+    await says("count", "0");
+    // A number that is being typed asks for nothing yet.
+    for (const typed of ["", "-1", "1.5", "99"]) await page.locator("#field").fill(typed);
+    assert.equal(await page.locator("#one").getByRole("alert").textContent(), "");
+    await page.locator("#field").fill("1");
+    await ready(page, '[data-step="1"]');
+    // A mistake is a status as well.
+    await page.locator("#wrong").click();
+    await says("status", "error");
+  }));

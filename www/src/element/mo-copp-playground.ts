@@ -91,7 +91,7 @@ export class MoCoppPlayground extends PlaygroundElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.stopFollowing ??= followInProse(this);
+    this.stopFollowing ??= followInProse(this, () => void this.show());
     this.theme?.connect();
   }
 

@@ -1,6 +1,7 @@
 // Links, buttons, fields and numbers in the page's prose that drive a playground and follow it, by attributes alone:
 // `data-mo-copp-for` names the playground by its id, `data-mo-copp-set-…` what a click sets (step, plan, problem …), and
 // `data-mo-copp-show` what is shown or, in a field, shown and set.
+import { shortNumber } from "../view/numbers.js";
 
 const FOR = "data-mo-copp-for";
 const SET = "data-mo-copp-set-";
@@ -17,42 +18,86 @@ interface Shown {
   goal_difference: number;
 }
 
-/** Begins to follow `host`; returns how to stop. Nothing but the page's own words is changed, and those as text. */
-export function followInProse(host: HTMLElement): () => void {
+/** What each playground told last, wherever in the page it was moved since. */
+const told = new WeakMap<HTMLElement, Shown>();
+
+/**
+ * Begins to follow `host`; returns how to stop. Nothing but the page's own words is changed, and those as text. `wake` has a
+ * playground drawn that waits to be seen.
+ */
+export function followInProse(host: HTMLElement, wake: () => void): () => void {
   const root = host.getRootNode() as Document | ShadowRoot;
-  let last: Shown | null = null;
-  const parts = (): HTMLElement[] =>
-    host.id === "" ? [] : [...root.querySelectorAll<HTMLElement>(`[${FOR}="${CSS.escape(host.id)}"]`)];
+  const selector = () => `[${FOR}="${CSS.escape(host.id)}"]`;
+  const parts = (): HTMLElement[] => (host.id === "" ? [] : [...root.querySelectorAll<HTMLElement>(selector())]);
   const show = () => {
-    for (const part of parts()) write(part, host, last);
+    for (const part of parts()) write(part, host, told.get(host) ?? null);
   };
   const stepped = (event: Event) => {
     if (event.target !== host) return;
-    last = (event as CustomEvent<Shown>).detail;
+    told.set(host, (event as CustomEvent<Shown>).detail);
     show();
   };
   const clicked = (event: Event) => {
     const part = partOf(event, parts());
     const wanted = part === undefined ? [] : changes(part);
-    if (wanted.length === 0) return;
+    if (wanted.length === 0 || isForBrowser(event as MouseEvent)) return;
     event.preventDefault();
     set(host, wanted);
+    wake();
+    bringIntoSight(host);
   };
   const typed = (event: Event) => {
     const part = partOf(event, parts());
     const name = part?.getAttribute(SHOW) ?? "";
-    if (part instanceof HTMLInputElement && settable.has(name)) set(host, [[name, part.value]]);
+    if (!(part instanceof HTMLInputElement) || !settable.has(name) || isUnfinished(part)) return;
+    set(host, [[name, part.value]]);
+    wake();
   };
   const listeners: [EventTarget, string, (event: Event) => void][] = [
     [host, "mo-copp-step", stepped],
-    [host, "mo-copp-outcome", show],
     [root, "click", clicked],
     [root, "input", typed],
   ];
   for (const [target, type, listener] of listeners) target.addEventListener(type, listener);
+  // Not every change of the status has an event.
+  const state = new MutationObserver(show);
+  state.observe(host, { attributes: true, attributeFilter: ["id", "data-status", "data-gd"] });
+  // What comes into the prose later.
+  const prose = new MutationObserver((records) => {
+    if (host.id !== "" && records.some((record) => brings(record, selector()))) show();
+  });
+  prose.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: [FOR, SHOW, `${SET}step`] });
+  show();
   return () => {
     for (const [target, type, listener] of listeners) target.removeEventListener(type, listener);
+    state.disconnect();
+    prose.disconnect();
   };
+}
+
+const brings = ({ type, addedNodes }: MutationRecord, selector: string): boolean =>
+  type === "attributes" ||
+  [...addedNodes].some(
+    (node) => node instanceof Element && (node.matches(selector) || node.querySelector(selector) !== null),
+  );
+
+/** A click that opens a link elsewhere: in another tab or window, or as a file. */
+const isForBrowser = ({ ctrlKey, metaKey, shiftKey, altKey }: MouseEvent): boolean =>
+  ctrlKey || metaKey || shiftKey || altKey;
+
+/** A number that is being typed: the field is empty or holds what it does not allow. */
+const isUnfinished = (field: HTMLInputElement): boolean =>
+  field.type === "number" && (field.value === "" || !field.validity.valid);
+
+/** Brings what a click changed into sight, where less than half of it that could be seen is. */
+function bringIntoSight(host: HTMLElement): void {
+  const look = new IntersectionObserver(([seen]) => {
+    look.disconnect();
+    if (seen === undefined) return;
+    const whole = Math.min(seen.boundingClientRect.height, seen.rootBounds?.height ?? innerHeight);
+    if (!seen.isIntersecting || seen.intersectionRect.height < whole / 2) host.scrollIntoView({ block: "nearest" });
+  });
+  look.observe(host);
 }
 
 const partOf = (event: Event, parts: readonly HTMLElement[]): HTMLElement | undefined =>
@@ -84,7 +129,7 @@ function write(part: HTMLElement, host: HTMLElement, shown: Shown | null): void 
   const value = name === null ? null : shownValue(name, host, shown);
   if (value === null) return;
   if (part instanceof HTMLInputElement) {
-    if (name === "step" && shown !== null) part.max = String(shown.steps);
+    if (name === "step" && shown !== null) Object.assign(part, { min: part.min || "0", max: String(shown.steps) });
     part.value = value;
   } else if (part.textContent !== value) {
     part.textContent = value;
@@ -93,9 +138,10 @@ function write(part: HTMLElement, host: HTMLElement, shown: Shown | null): void 
 
 function shownValue(name: string, host: HTMLElement, shown: Shown | null): string | null {
   if (name === "status") return host.dataset.status ?? null;
-  if (name === "gd") return host.dataset.gd ?? "–";
   if (shown === null) return null;
   switch (name) {
+    case "gd":
+      return host.dataset.gd === undefined ? "–" : shortNumber(Number(host.dataset.gd));
     case "step":
       return String(shown.step);
     case "steps":
