@@ -222,3 +222,103 @@ test("the enemy’s player prints what the enemy knows, and a part that is left 
     );
     assert.equal(await page.locator(".paper").count(), 0);
   }));
+
+/** On which pages of a PDF its links stand: object numbers of pages, by address. */
+function pagesOfLinks(pdf: Buffer): Map<string, string> {
+  const objects = new Map(
+    [...pdf.toString("latin1").matchAll(/(\d+) 0 obj\b(.*?)\bendobj/gs)].map(([, number = "", body = ""]) => [
+      number,
+      body,
+    ]),
+  );
+  const found = new Map<string, string>();
+  for (const [number, body] of objects) {
+    if (!/\/Type\s*\/Page\b/.test(body)) continue;
+    const [, list = ""] = /\/Annots\s*\[([^\]]*)\]/.exec(body) ?? [];
+    for (const [, annotation = ""] of list.matchAll(/(\d+) 0 R/g)) {
+      const [, address] = /\/URI\s*\(([^)]*)\)/.exec(objects.get(annotation) ?? "") ?? [];
+      if (address !== undefined) found.set(address, number);
+    }
+  }
+  return found;
+}
+
+test("several playgrounds in a page keep their titles with their boards, and one that waits leaves no gap", () =>
+  printed(async (page) => {
+    const names = ["corridor", "delivery", "three-rooms", "eight-by-eight"];
+    const text = (height: number) => `<p style="height: ${height}px; margin: 0">Text.</p>`;
+    // Where the boards of each come to the end of a sheet.
+    const body = names
+      .map(
+        (name) =>
+          `${text(700)}<mo-copp-playground problem="${name}" link="off" hide="workbench goals"></mo-copp-playground>`,
+      )
+      .join("");
+    const waiting = `<mo-copp-playground id="waits" loading="lazy" problem="corridor" link="off">`;
+    await page.route(`${address}lesson/print.html`, (route) =>
+      route.fulfill({
+        contentType: "text/html",
+        body: `<!doctype html><html lang="en"><title>Lesson</title><style>body { margin: 0 }</style>
+          <script type="module" src="../mo-copp-playground.js"></script>${body}${text(4000)}
+          ${waiting}</mo-copp-playground>${waiting.replace("waits", "poster")}<p>A picture.</p></mo-copp-playground></html>`,
+      }),
+    );
+    await page.goto(`${address}lesson/print.html`);
+    await page.waitForFunction(
+      (count) => document.querySelectorAll("mo-copp-playground[data-status=optimal]").length === count,
+      names.length,
+    );
+    assert.equal(await page.locator("#waits").getAttribute("data-status"), "idle");
+    // Links are what tells in a PDF on which sheet something stands.
+    await page.evaluate(() => {
+      for (const [index, host] of [...document.querySelectorAll("mo-copp-playground")].entries())
+        for (const [part, name] of [
+          [".title", "title"],
+          [".about", "about"],
+          [".stage h2", "boards"],
+        ] as const)
+          host.shadowRoot
+            ?.querySelector(part)
+            ?.insertAdjacentHTML("beforeend", `<a href="https://example.org/${index}/${name}">Link</a>`);
+    });
+    const pages = pagesOfLinks(await page.pdf({ format: "A4", margin: { top: "12mm", bottom: "12mm" } }));
+    for (const index of names.keys()) {
+      const at = ["title", "about", "boards"].map((name) => pages.get(`https://example.org/${index}/${name}`));
+      assert(at[0] !== undefined);
+      assert.deepEqual(new Set(at).size, 1, `${names[index]}: ${at}`);
+    }
+    assert(new Set(pages.values()).size > 2);
+    // What waited is printed as words or by its poster, and is there for the next print.
+    await page.waitForSelector("#waits[data-status=optimal]");
+  }));
+
+test("a script that prints has the table at once, and one that waits tells what is missing", () =>
+  printed(async (page) => {
+    await prepared(page);
+    const rows = await page.evaluate(`(() => {
+      const counted = () => document.querySelectorAll(".paper tbody tr").length;
+      dispatchEvent(new Event("beforeprint"));
+      const printed = counted();
+      dispatchEvent(new Event("afterprint"));
+      return [printed, counted()];
+    })()`);
+    assert.deepEqual(rows, [17, 0]);
+    await page.route(`${address}lesson/waits.html`, (route) =>
+      route.fulfill({
+        contentType: "text/html",
+        body: `<!doctype html><html lang="en"><title>Lesson</title><script type="module" src="../mo-copp-playground.js"></script>
+          <p style="height: 4000px">Text.</p><mo-copp-playground loading="lazy" link="off"></mo-copp-playground></html>`,
+      }),
+    );
+    // Nothing of it comes: it is as it is in the moment of the print.
+    await page.route("**/shadow-view-*.js", () => {});
+    await page.goto(`${address}lesson/waits.html`);
+    await page.waitForSelector("mo-copp-playground[data-status=idle]");
+    await page.emulateMedia({ media: "print" });
+    const { height, words } = await page.locator("mo-copp-playground").evaluate((host) => ({
+      height: host.getBoundingClientRect().height,
+      words: getComputedStyle(host.shadowRoot?.querySelector(".mo-copp-part") as Element, "::before").content,
+    }));
+    assert(height > 10 && height < 60, `${height}`);
+    assert.match(words, /was not loaded when the page was printed/);
+  }));

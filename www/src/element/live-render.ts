@@ -27,10 +27,14 @@ export class LiveRender {
   request(): void {
     if (this.asked) return;
     this.asked = true;
-    queueMicrotask(() => {
-      this.asked = false;
-      if (this.connected) this.perform();
-    });
+    queueMicrotask(() => this.now());
+  }
+
+  /** Renders what was asked for without waiting for the turn's end. */
+  now(): void {
+    if (!this.asked) return;
+    this.asked = false;
+    if (this.connected) this.perform();
   }
 
   private perform(): void {

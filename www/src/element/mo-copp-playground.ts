@@ -17,6 +17,10 @@ const frame = `
 slot { display: none; }
 slot.poster { display: contents; }
 .failure { margin: 0; padding: 0.75rem; font: 1rem / 1.45 system-ui, sans-serif; }
+@media print {
+  .mo-copp-part.waiting { min-height: 0; }
+  .mo-copp-part.waiting::before { content: "The playground here was not loaded when the page was printed: print it again."; font: 1rem / 1.45 system-ui, sans-serif; }
+}
 `;
 
 /**

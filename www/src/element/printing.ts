@@ -1,5 +1,5 @@
 // What is on paper and not on the screen: the table of the steps. A browser that prints waits for nothing, so the table's
-// code is fetched in the first pause.
+// code is fetched in the first pause, and it is drawn at once.
 import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import type { StepsTableStores } from "../steps/steps-table.js";
@@ -15,6 +15,9 @@ export class Printing {
   private asked = false;
   /** Told of a preview too, as by the tools of a browser that have no print to begin. */
   private readonly paper = globalThis.matchMedia?.("print");
+
+  /** `draw` draws at once. */
+  constructor(private readonly draw: () => void) {}
 
   connect(): void {
     window.addEventListener("beforeprint", this.begin);
@@ -44,11 +47,13 @@ export class Printing {
 
   private readonly begin = () => {
     this.under.value = true;
+    this.draw();
     void this.load();
   };
 
   private readonly end = () => {
     this.under.value = this.paper?.matches === true;
+    this.draw();
   };
 
   private readonly follow = () => (this.paper?.matches ? this.begin() : this.end());

@@ -82,7 +82,7 @@ export class View {
   private readonly keys: PageKeys;
   private readonly picture: LiveRender;
   private readonly tour: Tour;
-  private readonly printing = new Printing();
+  private readonly printing = new Printing(() => this.picture.now());
   /** What the boards are drawn with, where there is a tour of them and where there is none. They keep what is open by it. */
   private readonly onStage: { toured: StageStores; alone: StageStores };
   /** Rows that got narrower have moved what was in sight. */
@@ -318,8 +318,10 @@ export class View {
     // Parts that the tour speaks of may be left out; of several playgrounds the first has it.
     const toured = this.sharing && !["gallery", "stepper", "workbench"].some((part) => hidden.has(part));
     return html`
-      ${show("gallery", () => held(playground, () => problemBar(playground, share())))} ${show("tools", () => toolbar(playground))}
-      ${stage(toured ? this.onStage.toured : this.onStage.alone)}
+      <div class="sheet-top">
+        ${show("gallery", () => held(playground, () => problemBar(playground, share())))} ${show("tools", () => toolbar(playground))}
+        ${stage(toured ? this.onStage.toured : this.onStage.alone)}
+      </div>
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
       ${
         hidden.has("workbench") && hidden.has("goals")

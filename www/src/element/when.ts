@@ -9,16 +9,26 @@ export function whenParsed(): Promise<void> {
   return new Promise((resolve) => document.addEventListener("DOMContentLoaded", () => resolve(), { once: true }));
 }
 
-/** Calls `near` once; returns how to stop waiting. */
+/** Calls `near` once: when the element comes near what is seen, or the page is printed. Returns how to stop waiting. */
 export function whenNear(element: Element, near: () => void): () => void {
+  const paper = globalThis.matchMedia?.("print");
+  const stop = () => {
+    observer.disconnect();
+    window.removeEventListener("beforeprint", come);
+    paper?.removeEventListener("change", come);
+  };
+  const come = () => {
+    stop();
+    near();
+  };
   const observer = new IntersectionObserver(
     (entries) => {
-      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
-      observer.disconnect();
-      near();
+      if (entries.some(({ isIntersecting }) => isIntersecting)) come();
     },
     { rootMargin: `${NEAR} 0px` },
   );
   observer.observe(element);
-  return () => observer.disconnect();
+  window.addEventListener("beforeprint", come);
+  paper?.addEventListener("change", come);
+  return stop;
 }
