@@ -1,35 +1,60 @@
-// The widget's side in the browser: an element whose step, plan, document and outcome are the model's.
+// The widget's side in the browser: an element whose step, plan, document and outcome are the model's. The model is
+// Python's, or what a page of MyST says of it: then names may be missing, and nothing is sent back.
+
+/** Attributes of the element that a model may hold; `plan`, `step` and `document` go both ways. */
+const attributes = [
+  ...["src", "problem", "watch", "solver", "k", "j", "horizon", "hide", "theme", "keys"],
+  ...["loading", "worker-url", "wasm-url", "seed", "student", "exercise", "name"],
+];
 
 /** The script defines the element once a page. */
 let defined = null;
 
-function define(script) {
+function define(model) {
   if (customElements.get("mo-copp-playground") !== undefined) return Promise.resolve();
-  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  defined ??= import(/* webpackIgnore: true */ address).finally(() => URL.revokeObjectURL(address));
+  const script = model.get("_script");
+  defined ??= (script === undefined ? load(addressOf(model)) : loadText(script)).catch((error) => {
+    defined = null;
+    throw error;
+  });
   return defined;
 }
 
+/** Without Python the script lies beside this file, or where the page says. */
+const addressOf = (model) =>
+  model.get("script") === undefined
+    ? new URL("mo-copp-playground.js", import.meta.url).href
+    : new URL(model.get("script"), document.baseURI).href;
+
+const load = (address) => import(/* webpackIgnore: true */ /* @vite-ignore */ address);
+
+function loadText(script) {
+  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  return load(address).finally(() => URL.revokeObjectURL(address));
+}
+
 async function render({ model, el }) {
-  await define(model.get("_script"));
+  await define(model);
   const playground = document.createElement("mo-copp-playground");
   playground.setAttribute("link", "off");
-  for (const name of ["problem", "hide", "theme", "solver"]) follow(model, playground, name);
-  const plan = model.get("plan");
+  for (const name of attributes) follow(model, playground, name);
+  const plan = model.get("plan") ?? [];
   if (plan.length > 0) playground.setAttribute("plan", plan.join(","));
-  if (model.get("step") >= 0) playground.setAttribute("step", String(model.get("step")));
-  if (model.get("document") !== null) playground.document = model.get("document");
+  if ((model.get("step") ?? -1) >= 0) playground.setAttribute("step", String(model.get("step")));
+  const opened = model.get("document") ?? null;
+  if (opened !== null) playground.document = opened;
   listen(model, playground);
   el.append(playground);
   return () => playground.remove();
 }
 
-/** An attribute that Python sets. */
+/** An attribute that the model sets. */
 function follow(model, playground, name) {
   const set = () => {
-    const value = model.get(name);
-    if (value === "") playground.removeAttribute(name);
-    else playground.setAttribute(name, value);
+    const value = model.get(name) ?? "";
+    if (value === "" || value === false) playground.removeAttribute(name);
+    else if (value === true) playground.setAttribute(name, "");
+    else playground.setAttribute(name, typeof value === "object" ? JSON.stringify(value) : String(value));
   };
   set();
   model.on(`change:${name}`, set);
@@ -37,6 +62,7 @@ function follow(model, playground, name) {
 
 /** What is shown goes to Python; what Python sets is shown. */
 function listen(model, playground) {
+  if (model.get("_script") === undefined) return;
   const tell = (values) => {
     for (const [name, value] of Object.entries(values)) model.set(name, value);
     model.save_changes();

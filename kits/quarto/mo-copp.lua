@@ -5,8 +5,8 @@ local written = false
 
 -- What the element's attributes may be; everything else stays out of the page.
 local known = {
-  "src", "problem", "plan", "step", "solver", "k", "j", "horizon", "hide", "link", "theme", "keys", "loading",
-  "worker-url", "wasm-url",
+  "src", "problem", "plan", "step", "watch", "solver", "k", "j", "horizon", "hide", "link", "theme", "keys", "loading",
+  "worker-url", "wasm-url", "seed", "student", "exercise", "name",
 }
 
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" }
@@ -30,17 +30,24 @@ local function script_once()
   return string.format('<script type="module" src="%s"></script>\n', escaped(script))
 end
 
--- HTML gets the element; every other format the picture, or what stands in the division.
+-- What stands for the playground: the picture, or what stands in the division.
+local function poster(picture, inner, caption, block)
+  if not picture or picture == "" then return inner end
+  return { block(pandoc.Image(caption, picture)) }
+end
+
+-- HTML gets the element around it; every other format that alone.
 local function blocks(get, id, inner, caption)
   if FORMAT:match("html") or FORMAT:match("epub") or FORMAT == "revealjs" then
     local result = pandoc.List({ pandoc.RawBlock("html", script_once() .. element(get, id)) })
-    result:extend(inner)
+    local picture = get("picture")
+    -- No browser shows a PDF in a line of text.
+    if picture and picture:lower():match("%.pdf$") then picture = nil end
+    result:extend(poster(picture, inner, caption, pandoc.Plain))
     result:insert(pandoc.RawBlock("html", "</mo-copp-playground>"))
     return result
   end
-  local picture = get("picture")
-  if not picture or picture == "" then return inner end
-  return { pandoc.Para({ pandoc.Image(caption, picture) }) }
+  return poster(get("picture"), inner, caption, pandoc.Para)
 end
 
 local function read_script(meta)

@@ -21,6 +21,8 @@
 
   const api = find(window);
   if (api === null || String(api.LMSInitialize("")) !== "true") return;
+  // Without it some course systems forget what was kept.
+  api.LMSSetValue("cmi.core.exit", "suspend");
   const get = (name) => String(api.LMSGetValue(name) ?? "");
   const playground = document.querySelector("mo-copp-playground");
 

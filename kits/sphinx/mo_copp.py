@@ -6,8 +6,10 @@ from docutils import nodes
 from docutils.parsers.rst import directives
 from sphinx.util.docutils import SphinxDirective
 
+#: All but ``name``, which docutils has for itself.
 ATTRIBUTES = (
-    "src problem plan step solver k j horizon hide link theme keys loading worker-url wasm-url"
+    "src problem plan step watch solver k j horizon hide link theme keys loading worker-url wasm-url "
+    "seed student exercise"
 ).split()
 SCRIPT = "mo-copp/mo-copp-playground.js"
 

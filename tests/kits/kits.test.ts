@@ -1,20 +1,63 @@
 // The author kits: each page is built by its own tool where that is to be had, and tried in a browser.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { dist, inRoot, nodeModules } from "../../scripts/lib/paths.mjs";
 import { visit } from "../page/support/browser.js";
 import { grid } from "../page/support/documents.js";
+import { startHost } from "../page/support/host.js";
 import { addPage, copyOf, python, served } from "./support/site.js";
 
 /** Browsers ask for a picture of the site that no kit has. */
 const kit = { before: (page: Page) => page.route("**/favicon.ico", (route) => route.fulfill({ status: 204 })) };
 
+const onePixel = Buffer.from(
+  "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==",
+  "base64",
+);
+
 const ready = (page: Page, more = "", id = "#lab") =>
   page.waitForSelector(`${id}:is([data-status=optimal], [data-status=solved])${more}`);
+
+/** The element's attributes, as the tables of the guide list them. */
+function attributes(): string[] {
+  const guide = readFileSync(inRoot("docs", "embedding.md"), "utf8");
+  const [tables = ""] = guide.split("## What the page's prose can do", 1);
+  return [...tables.matchAll(/^\| ((?:`[a-z-]+`(?:, )?)+) \|/gm)].flatMap(([, names = ""]) =>
+    [...names.matchAll(/`([a-z-]+)`/g)].map(([, name = ""]) => name),
+  );
+}
+
+test("every kit has a page, and those that list the element's attributes have all of them", () => {
+  for (const kit of readdirSync(inRoot("kits"))) {
+    const files = readdirSync(inRoot("kits", kit));
+    assert(files.includes("README.md"), kit);
+    assert(
+      files.some((file) => /^(page|index|slides|playground|docs)\b/.test(file)),
+      `${kit} has no page`,
+    );
+  }
+  const all = attributes().sort();
+  assert(all.length >= 20 && all.includes("exercise"), all.join());
+  const listed = (file: string, list: RegExp, name: RegExp) =>
+    [...(list.exec(readFileSync(inRoot("kits", ...file.split("/")), "utf8"))?.[1] ?? "").matchAll(name)]
+      .map(([name]) => name)
+      .sort();
+  assert.deepEqual(listed("quarto/mo-copp.lua", /known = \{([^}]*)\}/, /[a-z-]+/g), all);
+  // A directive's name is docutils' own.
+  assert.deepEqual(
+    listed("sphinx/mo_copp.py", /ATTRIBUTES = \(([^)]*)\)/, /[a-z-]+/g),
+    all.filter((name) => name !== "name"),
+  );
+  // The widget's own are the plan and the step; it never has the page's address.
+  assert.deepEqual(
+    listed("anywidget/mo_copp_widget.js", /attributes = (.*?);/s, /[a-z]+(-[a-z]+)*(?=")/g),
+    all.filter((name) => !["plan", "step", "link"].includes(name)),
+  );
+});
 
 test("plain HTML: the page, its prose, and the playground far below", () =>
   visit(async ({ page }) => {
@@ -33,6 +76,7 @@ test("pandoc with Quarto's filter: HTML gets the element, LaTeX the picture or t
   visit(async ({ page }) => {
     const folder = copyOf("quarto");
     addPage(join(folder, "mo-copp"));
+    writeFileSync(join(folder, "corridor.png"), onePixel);
     const convert = (to: string, ...more: string[]) =>
       python(
         [
@@ -51,6 +95,10 @@ test("pandoc with Quarto's filter: HTML gets the element, LaTeX the picture or t
     writeFileSync(join(folder, "page.html"), html);
     await page.goto(`${await served(folder)}page.html`);
     await ready(page, '[data-gd="1"]');
+    // The picture stands for the playground until it runs.
+    const poster = page.locator('#lab img[src="corridor.png"]');
+    assert.equal(await poster.getAttribute("alt"), "The agent walks one step past the door, and back.");
+    assert.equal(await poster.isVisible(), false);
     const latex = convert("latex");
     assert.match(latex, /includegraphics.*corridor\.png/);
     assert.match(latex, /Two packages from factory A\./);
@@ -65,7 +113,7 @@ test("Quarto's shortcode gives the same element", () => {
     `FORMAT = "html"
      quarto = { shortcode = {} }
      local shortcodes = dofile("mo-copp.lua")
-     local blocks = shortcodes["mo-copp"]({}, { problem = pandoc.Inlines("head-fake"), caption = pandoc.Inlines("A \\"fake\\"") }, {})
+     local blocks = shortcodes["mo-copp"]({}, { problem = pandoc.Inlines("head-fake"), picture = pandoc.Inlines("fake.pdf"), seed = pandoc.Inlines("7"), caption = pandoc.Inlines("A \\"fake\\"") }, {})
      local text = pandoc.write(pandoc.Pandoc(blocks), "html")
      function Pandoc() return pandoc.Pandoc({ pandoc.RawBlock("html", text) }) end`,
   );
@@ -74,8 +122,10 @@ test("Quarto's shortcode gives the same element", () => {
   const html = python(["-c", call], folder);
   assert.match(
     html,
-    /<script type="module" src="mo-copp\/mo-copp-playground\.js"><\/script>\s*<mo-copp-playground problem="head-fake">/,
+    /<script type="module" src="mo-copp\/mo-copp-playground\.js"><\/script>\s*<mo-copp-playground problem="head-fake" seed="7">/,
   );
+  // A PDF is for paper alone.
+  assert(!html.includes("fake.pdf"));
   assert.match(html, /<\/mo-copp-playground>/);
 });
 
@@ -174,7 +224,11 @@ test("Docusaurus: the component's page, and its switch", () =>
     writeFileSync(join(folder, "component.mjs"), component);
     const { default: MoCopp } = await import(join(folder, "component.mjs"));
     const { heads } = await import(join(folder, "stand-ins.mjs"));
-    const body = MoCopp({ id: "lab", problem: "corridor", hide: "workbench", link: "off" });
+    const [, given = "", children = ""] =
+      /<MoCopp([^>]*)>(.*?)<\/MoCopp>/s.exec(readFileSync(join(folder, "page.mdx"), "utf8")) ?? [];
+    const props = Object.fromEntries([...given.matchAll(/(\S+)="([^"]*)"/g)].map(([, name, value]) => [name, value]));
+    assert.equal(props.id, "lab");
+    const body = MoCopp({ ...props, children });
     writeFileSync(
       join(folder, "page.html"),
       `<!doctype html><html lang="en" data-theme="dark"><title>Docs</title>${heads.join("")}${body}</html>`,
@@ -193,10 +247,10 @@ test("anywidget: Python's side has what is synchronised, and the browser's synch
       [
         "-c",
         `import json
-from mo_copp_widget import Playground
-lab = Playground(problem="corridor", hide="workbench")
-lab.step = 2
-state = lab.get_state()
+notebook = {}
+for cell in json.load(open("page.ipynb"))["cells"]:
+    if cell["cell_type"] == "code": exec("".join(cell["source"]), notebook)
+state = notebook["lab"].get_state()
 print(json.dumps({name: state[name] for name in ("problem", "hide", "theme", "solver", "document", "plan", "step", "outcome")} | {"script": len(state["_script"])}))`,
       ],
       folder,
@@ -238,6 +292,48 @@ print(json.dumps({name: state[name] for name in ("problem", "hide", "theme", "so
     assert.equal(await page.locator("mo-copp-playground").count(), 0);
   }, kit));
 
+test("MyST: the directive's widget, without Python and from another host", () =>
+  visit(async ({ page }) => {
+    const [, address = "", model = ""] =
+      /^:::\{anywidget\} (\S+)\n(.*?)\n:::$/ms.exec(readFileSync(inRoot("kits", "myst", "page.md"), "utf8")) ?? [];
+    const widget = readFileSync(inRoot("kits", "anywidget", "mo_copp_widget.js"));
+    const [host, site] = await Promise.all([startHost({ "Access-Control-Allow-Origin": "*" }), startHost()]);
+    host.own.set("mo_copp_widget.js", { body: widget, headers: { "Content-Type": "text/javascript" } });
+    site.own.set("widget.js", { body: widget, headers: { "Content-Type": "text/javascript" } });
+    // A stand-in for the theme: its model sends nothing back.
+    const mount = (
+      widget: string,
+      model: object,
+    ) => `<!doctype html><html lang="en"><title>Book</title><div id="out"></div>
+      <script type="module">
+        import widget from ${JSON.stringify(widget)};
+        const values = ${JSON.stringify(model)};
+        const target = new EventTarget();
+        const fail = () => { throw new Error("not implemented"); };
+        const el = document.createElement("div");
+        document.querySelector("#out").attachShadow({ mode: "open" }).append(el);
+        await widget.render({ el, model: {
+          get: (name) => values[name],
+          set: (name, value) => { values[name] = value; target.dispatchEvent(new CustomEvent("change:" + name)); },
+          on: (name, listener) => target.addEventListener(name, listener),
+          off: fail, save_changes: fail, send: fail,
+        } });
+      </script></html>`;
+    const given = JSON.parse(model);
+    const pages = [
+      mount(address.replace("https://example.org/mo-copp/", host.address), given),
+      // A widget that the theme has copied elsewhere is told where the script is.
+      mount("./widget.js", { ...given, script: `${host.address}mo-copp-playground.js` }),
+    ];
+    for (const body of pages) {
+      site.own.set("book.html", { body });
+      await page.goto(`${site.address}book.html`);
+      await ready(page, '[data-step="2"][data-scheme=dark]', "mo-copp-playground");
+      await page.locator("mo-copp-playground").getByRole("button", { name: "Forward one step" }).click();
+      await ready(page, '[data-step="3"]', "mo-copp-playground");
+    }
+  }, kit));
+
 test("SCORM 1.2: the package, its score and what it keeps", () =>
   visit(
     async ({ page }) => {
@@ -260,7 +356,12 @@ test("SCORM 1.2: the package, its score and what it keeps", () =>
             LMSGetValue: (name) => window.kept[name] ?? "",
             LMSSetValue: (name, value) => { window.kept[name] = value; return "true"; },
             LMSCommit: () => { sessionStorage.kept = JSON.stringify(window.kept); return "true"; },
-            LMSFinish: () => { sessionStorage.kept = JSON.stringify(window.kept); return "true"; },
+            LMSFinish: () => {
+              if (window.kept["cmi.core.exit"] !== "suspend") delete window.kept["cmi.suspend_data"];
+              delete window.kept["cmi.core.exit"];
+              sessionStorage.kept = JSON.stringify(window.kept);
+              return "true";
+            },
           };
         </script><script>window.API = API;</script><iframe src="playground.html" title="Course" width="1200" height="900"></iframe></html>`,
       );
