@@ -7,6 +7,7 @@ import { assertNoBarrier } from "./support/barriers.js";
 import { grid } from "./support/documents.js";
 import { opened } from "./support/opened.js";
 import { openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
+import { address } from "./support/site.js";
 
 test("an exercise is made of the steps shown, tried, and edited again", () =>
   opened({ document: grid(), tab: "Exercise" }, async (page) => {
@@ -32,22 +33,55 @@ test("an exercise that is wrong stays in the form, with the core's word of why",
   opened({ document: grid(), tab: "Exercise" }, async (page) => {
     await page.getByLabel("Attempts (empty: any number)").fill("many");
     await press(page, "Try it as a student");
-    await page.getByText('exercise.attempts: found "many", expected a whole number from 1 to 99').waitFor();
+    await page.getByText('Attempts: "many" can’t be used; it takes a whole number from 1 to 99.').waitFor();
     // Nothing that is wrong is handed out.
     await page.getByLabel("Attempts (empty: any number)").fill("none");
-    assert.equal(await page.getByText('exercise.attempts: found "').count(), 0);
+    assert.equal(await page.getByText("Attempts: ").count(), 0);
     await press(page, "Copy a link");
-    await page.getByText('exercise.attempts: found "none"').waitFor();
+    await page.getByText('Attempts: "none" can’t be used').waitFor();
     assert.equal(await page.getByText("Copied.").count(), 0);
     await page.getByLabel("Attempts (empty: any number)").fill("");
     await page.getByLabel("Kind of question").selectOption("walk");
     await page.getByLabel("Goal difference of at least").fill("-1");
+    // What is only trivial is handed out when it is asked for again.
+    await press(page, "Try it as a student");
+    await page.getByText("This question is trivial: a shortest walk answers it.").waitFor();
+    await assertNoBarrier(page, "a warning");
+    assert.equal(await page.locator(".exercise").count(), 0);
     await press(page, "Try it as a student");
     await page.locator('.exercise[data-kind="walk"]').waitFor();
   }));
 
+test("what the plan shown leaves no answer to is refused in plain words, and what a format lacks is not offered", () =>
+  opened({ tab: "Exercise" }, async (page) => {
+    const refused = async (words: string) => {
+      await press(page, "Copy code for a page");
+      await page.getByRole("alert").getByText(words).waitFor();
+    };
+    await page.getByLabel("Kind of question").selectOption("guess");
+    await page.getByLabel("Whose view").selectOption("adversarial");
+    await refused("Nobody can tell the goal: 4 goals fit the symbols.");
+    await page.getByLabel("Kind of question").selectOption("walk");
+    assert.equal(await page.getByText("Nobody can tell the goal").count(), 0);
+    await page.getByLabel("At most so many steps").fill("1");
+    await refused("No walk is as good as that: ask for a smaller goal difference or for more steps.");
+    await page.getByLabel("At most so many steps").fill("");
+    await page.getByLabel("Goal difference of at least").fill("");
+    await refused("Say which goal difference the walk must have at least, or how many steps at most.");
+    await page.getByLabel("Goal difference of at least").fill("-1");
+    await page.getByLabel("the walls").check();
+    await refused("A trivial question cannot be other for each student: a shortest walk answers it.");
+    await page.goto(`${address}?problem=delivery`);
+    await statusIs(page, "optimal");
+    await openTab(page, "Exercise");
+    assert.equal(await page.getByLabel("Kind of question").locator("[value=placement]").count(), 0);
+    for (const lacking of ["the start", "the goals", "the walls"])
+      assert.equal(await page.getByLabel(lacking, { exact: true }).count(), 0, lacking);
+    await page.getByLabel("the true goal").waitFor();
+  }));
+
 test("the link opens the question, and the code holds the document", () =>
-  opened({ document: grid(), tab: "Exercise", permissions: ["clipboard-read", "clipboard-write"] }, async (page) => {
+  opened({ tab: "Exercise", permissions: ["clipboard-read", "clipboard-write"] }, async (page) => {
     await page.getByLabel("Kind of question").selectOption("best");
     await press(page, "Copy code for a page");
     await page.getByText("Copied.").waitFor();
@@ -71,6 +105,8 @@ test("parts stay locked where the problem may be opened without the question", (
     await locked.getByLabel("walls").check();
     await locked.getByLabel("width").check();
     await assertNoBarrier(page, "parts that stay locked");
+    await press(page, "Try it as a student");
+    await page.getByText("This question is trivial").waitFor();
     await press(page, "Try it as a student");
     await press(page, "Open the problem in the playground");
     await page.locator("[data-board=actor]").waitFor();

@@ -1,22 +1,34 @@
 // The form that makes an exercise of the open problem: its kind, what is locked and hidden, what varies, and ways to hand
 // it out.
 import { html, nothing, type TemplateResult } from "lit";
-import { asksAboutWalk, type DraftFields, hidesBeliefs, kinds, variable } from "../state/exercise-draft.js";
+import { type DraftFields, hidesBeliefs } from "../state/exercise-draft.js";
+import {
+  asksAboutWalk,
+  type Kind,
+  kindsOf,
+  placesOf,
+  type Shown,
+  subjectOf,
+  type Vary,
+  variableOf,
+} from "../state/exercise-subject.js";
 import { counted } from "../view/numbers.js";
+import { called, roles } from "../view/observers.js";
 import { area, check, select, text } from "./fields.js";
 import { handOut } from "./hand-out.js";
+import { shownOn } from "./shown.js";
 import type { AuthorPanelStores } from "./stores.js";
 
-const kindWords: Record<DraftFields["kind"], string> = {
+const kindWords: Record<Kind, string> = {
   "possible-goals": "Which goals are possible",
   belief: "Where the agent can be",
   walk: "A walk that is good enough",
   best: "The best walk",
-  placement: "Place a camera, a wall or a start",
+  placement: "Place something in a cell",
   guess: "Guess the goal",
 };
 
-const varyWords: Record<string, string> = {
+const varyWords: Record<Vary, string> = {
   start: "the start",
   goals: "the goals",
   walls: "the walls",
@@ -26,23 +38,25 @@ const varyWords: Record<string, string> = {
 
 export function authorPanel(playground: AuthorPanelStores): TemplateResult {
   const { exerciseDraft: draft } = playground;
-  const fields = draft.fields.value;
+  const shown = shownOn(playground);
+  if (shown === null) return html`<p>An exercise is made of a problem with a plan: open one.</p>`;
+  const fields = draft.fitting(shown.document);
   const about = asksAboutWalk(fields.kind);
   return html`<div class="author">
     ${select(
       "Kind of question",
       fields.kind,
-      kinds,
+      kindsOf(shown.document),
       (kind) => kindWords[kind],
       (kind) => draft.edit({ kind }),
     )}
     ${text("Title", fields.title, (title) => draft.edit({ title }))}
     ${area("Before the question", fields.introduction, (introduction) => draft.edit({ introduction }))}
-    ${about ? aboutWalk(playground, fields) : nothing}
-    ${fields.kind === "placement" ? placement(playground, fields) : nothing}
+    ${about ? aboutWalk(playground, fields, shown) : nothing}
+    ${fields.kind === "placement" ? placement(playground, fields, shown) : nothing}
     ${
       fields.kind === "walk"
-        ? html`${text("Goal difference of at least", fields.difference, (difference) => draft.edit({ difference }))}
+        ? html`${text("Goal difference of at least", subjectOf(fields, shown).difference, (difference) => draft.edit({ difference }))}
           ${text("At most so many steps", fields.atMost, (atMost) => draft.edit({ atMost }))}`
         : nothing
     }
@@ -53,13 +67,11 @@ export function authorPanel(playground: AuthorPanelStores): TemplateResult {
     ${fields.lock ? nothing : lockedKeys(playground, fields)}
     ${check("Hide what the observers believe", hidesBeliefs(fields), (hide) => draft.edit({ hidesBeliefs: hide }))}
     <fieldset><legend>Other for each student</legend>
-      ${variable
-        .filter((name) => about || name !== "plan")
-        .map((name) =>
-          check(varyWords[name] ?? name, fields.vary.includes(name), (on) =>
-            draft.edit({ vary: toggled(fields.vary, name, on) }),
-          ),
-        )}
+      ${variableOf(shown.document, fields.kind).map((name) =>
+        check(varyWords[name], fields.vary.includes(name), (on) =>
+          draft.edit({ vary: toggled(fields.vary, name, on) }),
+        ),
+      )}
     </fieldset>
     ${handOut(playground)}
   </div>`;
@@ -77,31 +89,39 @@ function lockedKeys({ problem, exerciseDraft: draft }: AuthorPanelStores, fields
   </fieldset>`;
 }
 
-function aboutWalk({ timeline, exerciseDraft: draft }: AuthorPanelStores, { observer }: DraftFields): TemplateResult {
-  const words = { adversarial: "the enemy", cooperative: "the friend" };
+function aboutWalk({ exerciseDraft: draft }: AuthorPanelStores, fields: DraftFields, shown: Shown): TemplateResult {
+  const { observer, step } = subjectOf(fields, shown);
   return html`${select(
     "Whose view",
     observer,
-    ["adversarial", "cooperative"] as const,
-    (role) => words[role],
+    roles,
+    (role) => `the ${called[role]}`,
     (role) => draft.edit({ observer: role }),
   )}
-    <p>The question is about the ${counted(timeline.step.value, "step")} shown on the boards: go to the step that is to be asked about.</p>`;
+    <p>${whichSteps(fields.kind, step, shown)}</p>`;
 }
 
-function placement({ problem, exerciseDraft: draft }: AuthorPanelStores, fields: DraftFields): TemplateResult {
-  const goals = problem.scene.value?.goals.map(({ name }) => name) ?? [];
+function whichSteps(kind: Kind, step: number, shown: Shown): string {
+  const steps = counted(step, "step");
+  if (kind === "guess") return `The question is about all ${steps} of the plan: who guesses must be able to tell.`;
+  if (shown.step > 0)
+    return `The question is about the ${steps} shown on the boards: go to the step that is to be asked about.`;
+  return `The question is about the first ${steps} of the plan; to ask about others, go to the step on the boards.`;
+}
+
+function placement({ exerciseDraft: draft }: AuthorPanelStores, fields: DraftFields, shown: Shown): TemplateResult {
+  const { place, goal } = subjectOf(fields, shown);
   return html`${select(
     "What is placed",
-    fields.place,
-    ["camera", "wall", "start"] as const,
+    place,
+    placesOf(shown.document),
     (place) => place,
     (place) => draft.edit({ place }),
   )}
     ${select(
       "Goal",
-      fields.goal === "" ? (goals[0] ?? "") : fields.goal,
-      goals,
+      goal,
+      shown.goals,
       (name) => name,
       (goal) => draft.edit({ goal }),
     )}

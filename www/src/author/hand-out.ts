@@ -1,9 +1,12 @@
 // Ways to hand an exercise out: tried as a student, as a link, as code for a page, as a file.
 import { html, type TemplateResult } from "lit";
+import type { ProblemDocument } from "../problem/types.js";
 import { LONGEST_LINK, MOST_TEXT, pack } from "../share/packed.js";
 import { restore } from "../share/restore.js";
-import { planShown, stateOf } from "../share/shared-state.js";
+import { stateOf } from "../share/shared-state.js";
 import { download } from "../view/download.js";
+import { objectionWords } from "./objections.js";
+import { shownOn } from "./shown.js";
 import type { AuthorPanelStores } from "./stores.js";
 
 const words = { "": "", copied: "Copied.", refused: "The page may not use the clipboard: copy the text from here." };
@@ -16,7 +19,7 @@ export function handOut(playground: AuthorPanelStores): TemplateResult {
       <button type="button" @click=${() => void checked(playground, (text) => copyText(playground, codeOf(text)))}>Copy code for a page</button>
       <button type="button" @click=${() => void checked(playground, save)}>Save as a file</button>
     </div>
-    <p role="alert">${draft.fault.value}</p>
+    <p role="alert">${objection(playground)}</p>
     <p role="status">${words[draft.copier.said.value]}</p>
     ${
       draft.shown.value === ""
@@ -26,20 +29,32 @@ export function handOut(playground: AuthorPanelStores): TemplateResult {
     }`;
 }
 
-/** The document with its exercise. */
-export function documentOf({ exerciseDraft: draft, problem, timeline }: AuthorPanelStores): string {
-  const plan = planShown({ timeline }).slice(0, timeline.step.value);
-  const goal = problem.scene.value?.goals[0]?.name ?? "";
-  const { exercise: _, ...document } = (problem.document.value?.value ?? {}) as { exercise?: unknown };
-  return JSON.stringify({ ...document, exercise: draft.block(plan, goal) }, null, 2);
+/** What was said of this exercise; of another step or problem it says nothing. */
+function objection(playground: AuthorPanelStores): string {
+  const said = playground.exerciseDraft.objection.value;
+  return said === null || said.text !== documentOf(playground) ? "" : objectionWords(said);
 }
 
-/** An exercise that is wrong stays in the form, with the core's word of why. */
+/** The document with its exercise; null while there is none. */
+export function documentOf(playground: AuthorPanelStores): string | null {
+  const shown = shownOn(playground);
+  if (shown === null) return null;
+  const { exercise: _, ...document } = shown.document as ProblemDocument & { exercise?: unknown };
+  return JSON.stringify({ ...document, exercise: playground.exerciseDraft.block(shown) }, null, 2);
+}
+
+/** An exercise that is wrong stays in the form, with the word of why; one that is trivial until it is asked for again. */
 async function checked(playground: AuthorPanelStores, handOn: (text: string) => unknown): Promise<void> {
   const text = documentOf(playground);
-  const fault = await playground.exercise.fault(text);
-  playground.exerciseDraft.fault.value = fault ?? "";
-  if (fault === null) await handOn(text);
+  if (text === null) return;
+  const { exercise, exerciseDraft: draft } = playground;
+  const known = draft.objection.value;
+  const proof = await exercise.prove(text);
+  if (proof === null) return;
+  const warned = known?.text === text && known.fault === null;
+  const right = proof.fault === null && (proof.remarks.length === 0 || warned);
+  draft.objection.value = right && proof.remarks.length === 0 ? null : { text, ...proof };
+  if (right) await handOn(text);
 }
 
 function attempt(playground: AuthorPanelStores): Promise<void> {

@@ -1,21 +1,14 @@
 // An exercise that is being made of the open problem: what its form says, and the block that this comes to.
 import { signal } from "@preact/signals-core";
+import type { ProblemDocument } from "../problem/types.js";
 import { Copier } from "../view/copier.js";
-
-export const kinds = ["possible-goals", "belief", "walk", "best", "placement", "guess"] as const;
-export const variable = ["start", "goals", "walls", "true_goal", "plan"] as const;
-type Kind = (typeof kinds)[number];
+import type { Proof } from "./exercise.js";
+import { asksAboutWalk, type Chosen, kindsOf, type Shown, subjectOf, variableOf } from "./exercise-subject.js";
 
 /** What the form says; texts as they were typed. */
-export interface DraftFields {
-  kind: Kind;
+export interface DraftFields extends Chosen {
   title: string;
   introduction: string;
-  observer: "adversarial" | "cooperative";
-  place: "camera" | "wall" | "start";
-  goal: string;
-  possible: boolean;
-  difference: string;
   atMost: string;
   shortest: boolean;
   /** One a line. */
@@ -33,11 +26,11 @@ const empty: DraftFields = {
   kind: "possible-goals",
   title: "",
   introduction: "",
-  observer: "adversarial",
-  place: "camera",
-  goal: "",
+  observer: null,
+  place: null,
+  goal: null,
   possible: false,
-  difference: "0.5",
+  difference: null,
   atMost: "",
   shortest: false,
   hints: "",
@@ -51,48 +44,56 @@ const empty: DraftFields = {
 /** What observers believe would give the answer away, where the question is about a walk that is told. */
 export const hidesBeliefs = ({ kind, hidesBeliefs }: DraftFields): boolean => hidesBeliefs ?? asksAboutWalk(kind);
 
-/** Kinds that ask about a walk; the others ask for one. */
-export const asksAboutWalk = (kind: Kind): boolean => kind !== "walk" && kind !== "best";
+/** What the core says of an exercise that was to be handed out. */
+export interface Objection extends Proof {
+  /** The document that it is about. */
+  text: string;
+}
 
 export class ExerciseDraft {
   readonly fields = signal<DraftFields>(empty);
   readonly copier = new Copier();
   /** A text to copy by hand, where the page may not use the clipboard. */
   readonly shown = signal("");
-  /** Why there is nothing to hand out: the core's word of what is wrong. */
-  readonly fault = signal("");
+  /** Why nothing was handed out. What is only trivial is handed out when it is asked for again. */
+  readonly objection = signal<Objection | null>(null);
   /** Goes back to what was being edited when its exercise was tried. */
   readonly tried = signal<(() => void) | null>(null);
 
   edit(change: Partial<DraftFields>): void {
     this.fields.value = { ...this.fields.value, ...change };
     this.shown.value = "";
-    this.fault.value = "";
+    this.objection.value = null;
   }
 
-  /** The block; `plan` is the walk shown, `goal` a goal to ask about where none is chosen. */
-  block(plan: readonly string[], goal: string): object {
-    const { kind, title, introduction, hints, attempts, lock, lockedKeys, vary, ...rest } = this.fields.value;
+  /** The fields, as far as they fit a document: a kind that it cannot have is the first. */
+  fitting(document: ProblemDocument): DraftFields {
+    const fields = this.fields.value;
+    const kind = kindsOf(document).find((kind) => kind === fields.kind) ?? "possible-goals";
+    const vary = variableOf(document, kind).filter((name) => fields.vary.includes(name));
+    return { ...fields, kind, vary };
+  }
+
+  /** The block of an exercise of the plan shown. */
+  block(shown: Shown): object {
+    const fields = this.fitting(shown.document);
+    const { kind, title, introduction, hints, attempts, lock, lockedKeys, vary, ...rest } = fields;
+    const { observer, step, place, goal, difference } = subjectOf(fields, shown);
+    const plan = shown.steps.slice(1, step + 1).flatMap(({ action }) => (action === null ? [] : [action]));
     const lines = hints.split("\n").map((line) => line.trim());
     return {
       kind,
       ...(title.trim() === "" ? {} : { title: title.trim() }),
       ...(introduction.trim() === "" ? {} : { introduction: introduction.trim() }),
-      ...(asksAboutWalk(kind) ? { observer: rest.observer, plan } : {}),
-      ...(kind === "placement"
-        ? { place: rest.place, goal: rest.goal === "" ? goal : rest.goal, possible: rest.possible }
-        : {}),
-      ...(kind === "walk"
-        ? { ...numberAs("goal_difference", rest.difference), ...numberAs("at_most", rest.atMost) }
-        : {}),
+      ...(asksAboutWalk(kind) ? { observer, plan } : {}),
+      ...(kind === "placement" ? { place, goal, possible: rest.possible } : {}),
+      ...(kind === "walk" ? { ...numberAs("goal_difference", difference), ...numberAs("at_most", rest.atMost) } : {}),
       ...(kind === "best" && rest.shortest ? { shortest: true } : {}),
       ...(lines.some((line) => line !== "") ? { hints: lines.filter((line) => line !== "") } : {}),
       ...numberAs("attempts", attempts),
-      ...(hidesBeliefs(this.fields.value) === asksAboutWalk(kind)
-        ? {}
-        : { hide: asksAboutWalk(kind) ? [] : ["beliefs"] }),
+      ...(hidesBeliefs(fields) === asksAboutWalk(kind) ? {} : { hide: asksAboutWalk(kind) ? [] : ["beliefs"] }),
       ...(lock ? {} : { lock: lockedKeys.length === 0 ? false : lockedKeys }),
-      ...(vary.length === 0 ? {} : { vary: vary.filter((name) => name !== "plan" || asksAboutWalk(kind)) }),
+      ...(vary.length === 0 ? {} : { vary }),
     };
   }
 }

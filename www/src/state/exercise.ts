@@ -3,7 +3,7 @@ import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-co
 import type { ExerciseVerdict, NextAction, PictureOptions, Question, TraceStep } from "../core.js";
 import { Copier } from "../view/copier.js";
 import type { Ending } from "../worker/client.js";
-import type { Board, Seed } from "../worker/protocol.js";
+import type { Board, Fault, Seed } from "../worker/protocol.js";
 import { TaskRunner } from "../worker/runner.js";
 
 export interface Picture {
@@ -27,6 +27,14 @@ interface Posed {
   text: string;
   question: Question;
   seed: Seed;
+}
+
+/** What the core says of an exercise. */
+export interface Proof {
+  /** Why it cannot be asked. */
+  fault: Omit<Fault, "place"> | null;
+  /** What makes it trivial. */
+  remarks: readonly string[];
 }
 
 export class Exercise {
@@ -108,11 +116,12 @@ export class Exercise {
     return null;
   }
 
-  /** What is wrong with a document's exercise; null where it can be asked, empty where another was looked at meanwhile. */
-  async fault(text: string): Promise<string | null> {
-    const ending = await this.runner.run({ kind: "exercise", document: text, seed: 0 });
-    if (ending.kind === "stale") return "";
-    return ending.kind === "asked" ? null : messageOf(ending);
+  /** What is wrong with a document's exercise, and what makes it trivial; null where another was looked at meanwhile. */
+  async prove(text: string): Promise<Proof | null> {
+    const ending = await this.runner.run({ kind: "prove", document: text });
+    if (ending.kind === "stale") return null;
+    if (ending.kind === "proved") return ending;
+    return { fault: { message: messageOf(ending) }, remarks: [] };
   }
 
   /** Ends the question: the text of its problem alone. */

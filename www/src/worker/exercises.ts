@@ -1,5 +1,6 @@
 // Exercises in the worker: questions, verdicts and pictures, all of the full core.
 import { type Core, exercisesOf } from "./cores.js";
+import { faultIn } from "./failure.js";
 import type { Answer, Seed, Task } from "./protocol.js";
 
 type Of<Kind extends Task["kind"]> = Extract<Task, { kind: Kind }>;
@@ -21,6 +22,17 @@ function exerciseOf(core: Core, document: string, seed: Seed): Exercise {
 
 export function asked(core: Core, { document, seed }: Of<"exercise">): Answer {
   return { kind: "asked", question: exerciseOf(core, document, seed).question() };
+}
+
+export function proved(core: Core, { document }: Of<"prove">): Answer {
+  try {
+    const { solution } = exerciseOf(core, document, 0).solution();
+    return { kind: "proved", fault: null, remarks: solution?.remarks ?? [] };
+  } catch (error) {
+    const fault = faultIn(error);
+    if (fault === null) throw error;
+    return { kind: "proved", fault, remarks: [] };
+  }
 }
 
 export function judged(core: Core, { document, seed, choices, attempts, hints }: Of<"judge">): Answer {

@@ -15,11 +15,12 @@ export function failure(error: unknown): Answer {
 /** What a document's own error says; null where the error is another. */
 export function faultIn(error: unknown): Fault | null {
   if (!(error instanceof Error) || error.name !== "DocumentError") return null;
-  const { message, place, path, line, column } = error as DocumentError;
+  const { message, place, path, line, column, found, expected } = error as DocumentError;
   return {
     message,
     place,
     ...(path === undefined ? {} : { path }),
     ...(line === undefined || column === undefined ? {} : { line, column }),
+    ...(found === undefined || expected === undefined ? {} : { found, expected }),
   };
 }

@@ -36,6 +36,8 @@ export type Task =
   | { kind: "picture"; document: string; plan: string[]; options: PictureOptions }
   /** The question of a document with an exercise. */
   | { kind: "exercise"; document: string; seed: Seed }
+  /** Whether the exercise of a document can be asked, and what makes it trivial. */
+  | { kind: "prove"; document: string }
   /** What is said of an answer to it. */
   | { kind: "judge"; document: string; seed: Seed; choices: readonly number[]; attempts: number; hints: number }
   /** Pictures of the end of a plan, one a board, and what can be done after it. */
@@ -54,7 +56,7 @@ export type CoreMessage =
   | { kind: "light" | "full"; core: null; error: string };
 
 /** What is wrong with a document, and where. */
-export type Fault = Pick<DocumentError, "message" | "place" | "path" | "line" | "column">;
+export type Fault = Pick<DocumentError, "message" | "place" | "path" | "line" | "column" | "found" | "expected">;
 
 /** An outcome that may lack figures: one that was put together after its worker was lost has none. */
 export type Answered = Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> };
@@ -80,6 +82,7 @@ export type Answer =
   | { kind: "advised"; advice: Advice }
   | { kind: "drawn"; svg: string }
   | { kind: "asked"; question: Question }
+  | { kind: "proved"; fault: Fault | null; remarks: readonly string[] }
   | { kind: "judged"; verdict: ExerciseVerdict }
   | { kind: "sketched"; pictures: string[]; next: NextAction[]; last: TraceStep | null }
   /** The document, the plan or the options are wrong: `message` is for the person to read. */

@@ -1,7 +1,7 @@
 // The worker: the only place that runs the core. One task at a time; a newer one makes the older ones stale.
 import type { Eliminations, SolveOptions } from "../core.js";
 import { type Core, loadFirst, lookAhead, onCore, type Problem, takeCore } from "./cores.js";
-import { asked, judged, sketched } from "./exercises.js";
+import { asked, judged, proved, sketched } from "./exercises.js";
 import { failure, faultIn } from "./failure.js";
 import type { Answer, CoreMessage, Fault, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
@@ -54,6 +54,7 @@ async function handle(task: Task, id: number): Promise<void> {
 function perform(core: Core, task: Task, id: number): Answer | Promise<Answer> {
   if (task.kind === "check") return { kind: "checked", fault: checked(core, task.document) };
   if (task.kind === "exercise") return asked(core, task);
+  if (task.kind === "prove") return proved(core, task);
   if (task.kind === "judge") return judged(core, task);
   if (task.kind === "sketch") return sketched(core, task);
   const problem = opened(core, task.document);

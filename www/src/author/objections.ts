@@ -1,0 +1,61 @@
+// Why an exercise is not handed out, in the words of the form that makes it.
+import type { Objection } from "../state/exercise-draft.js";
+
+/** The fields of the form by the keys of the block. */
+const fields: Record<string, string> = {
+  title: "Title",
+  introduction: "Before the question",
+  observer: "Whose view",
+  goal: "Goal",
+  place: "What is placed",
+  goal_difference: "Goal difference of at least",
+  at_most: "At most so many steps",
+  hints: "Hints",
+  attempts: "Attempts",
+  lock: "Lock",
+  vary: "Other for each student",
+};
+
+/** What is in the way of an answer, and what can be done about it. */
+const reasons: readonly [RegExp, (...found: string[]) => string][] = [
+  [
+    /^the walk does not end in (.+)$/,
+    (_, goal) => `The walk must end in ${goal}: show a plan that does on the boards.`,
+  ],
+  [
+    /^the symbols leave (\d+) goals/,
+    (_, count) =>
+      `Nobody can tell the goal: ${count} goals fit the symbols. Choose the other view, or show another plan.`,
+  ],
+  [
+    /^no cell answers/,
+    () => "No cell is a right answer: choose another goal, another view, or something else to place.",
+  ],
+  [/^no walk answers/, () => "No walk is as good as that: ask for a smaller goal difference or for more steps."],
+];
+
+export function objectionWords({ fault, remarks }: Pick<Objection, "fault" | "remarks">): string {
+  if (fault !== null) return faultWords(fault);
+  if (remarks.length === 0) return "";
+  return `This question is trivial: ${remarks.join("; ")}. Press the button again to hand it out all the same.`;
+}
+
+function faultWords({ message, path, found, expected }: NonNullable<Objection["fault"]>): string {
+  const [block, key] = /^exercise(?:\.(\w+))?/.exec(path ?? "") ?? [];
+  if (block === undefined || found === undefined || expected === undefined) return message;
+  const trivial = /^a question of which (.+)$/.exec(found)?.[1];
+  if (trivial !== undefined)
+    return `A trivial question cannot be other for each student: ${trivial}. Make it harder, or let nothing be other.`;
+  if (key === undefined) return reasonWords(found);
+  if (key === "goal_difference" && found === "nothing")
+    return "Say which goal difference the walk must have at least, or how many steps at most.";
+  return `${fields[key] ?? key}: ${found} can’t be used; it takes ${expected}.`;
+}
+
+function reasonWords(found: string): string {
+  for (const [reason, words] of reasons) {
+    const match = reason.exec(found);
+    if (match !== null) return words(...match);
+  }
+  return `This question can’t be asked: ${found}.`;
+}
