@@ -77,7 +77,9 @@ test("what the plan shown leaves no answer to is refused in plain words, and wha
     assert.equal(await page.getByLabel("Kind of question").locator("[value=placement]").count(), 0);
     for (const lacking of ["the start", "the goals", "the walls"])
       assert.equal(await page.getByLabel(lacking, { exact: true }).count(), 0, lacking);
-    await page.getByLabel("the true goal").waitFor();
+    assert.equal(await page.getByText("A link asks each student for a name").count(), 0);
+    await page.getByLabel("the true goal").check();
+    await page.getByText("A link asks each student for a name").waitFor();
   }));
 
 test("the link opens the question, and the code holds the document", () =>

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { assertNoBarrier } from "./support/barriers.js";
 import { visit } from "./support/browser.js";
-import { Exercise } from "./support/core.js";
+import { Exercise, seedOf } from "./support/core.js";
 import { startHost } from "./support/host.js";
 import { address } from "./support/site.js";
 
@@ -34,7 +34,11 @@ async function open(page: Page, name: string): Promise<void> {
   await page.evaluate((text) => {
     (document.querySelector("mo-copp-playground") as unknown as { document: string }).document = text;
   }, exerciseText(name));
-  await page.locator(".exercise").waitFor();
+  const { title, vary } = JSON.parse(exerciseText(name)).exercise;
+  await page.locator("#exercise-title", { hasText: title }).waitFor();
+  // Where each student has another one: that of the document.
+  if (vary !== undefined) await page.getByRole("button", { name: "Without a name" }).click();
+  await page.locator("#exercise-question").waitFor();
 }
 
 const ends = (page: Page, verdict: "right" | "wrong") => page.locator(`[data-verdict=${verdict}]`).waitFor();
@@ -129,6 +133,46 @@ for (const name of [
       await assertNoBarrier(page, `${name}, answered`);
     }));
 }
+
+test("a link asks for the student's name where the question varies, and goes on with that one's question and answer", () =>
+  visit(async ({ page }) => {
+    const seed = seedOf("Ada Lovelace");
+    await page.locator("mo-copp-playground[data-status=optimal]").waitFor();
+    await page.evaluate((text) => {
+      (document.querySelector("mo-copp-playground") as unknown as { document: string }).document = text;
+    }, exerciseText("01-possible-goals"));
+    const name = page.getByLabel("Your name or number");
+    await name.waitFor();
+    assert.equal(await page.locator("#exercise-question").count(), 0, "no question before the name");
+    await assertNoBarrier(page, "a name is asked for");
+    await name.fill(" Ada Lovelace ");
+    await page.keyboard.press("Enter");
+    await page.locator(`.exercise[data-seed="${seed}"]`).waitFor();
+    await page.getByText("This is the question of Ada Lovelace.").waitFor();
+    assert(await name.evaluate((field) => document.activeElement === field));
+    for (const choice of solved("01-possible-goals", seed).choices)
+      await page.locator(".choices input").nth(choice).check();
+    await page.getByRole("button", { name: "Check the answer" }).click();
+    await ends(page, "right");
+    const before = await page.evaluate(() => location.hash);
+    const code = await page.getByLabel("Answer code").inputValue();
+    // The next address holds the name and the answer.
+    await page.waitForFunction((before) => location.hash !== before, before);
+    await page.reload();
+    await page.locator(`.exercise[data-seed="${seed}"]`).waitFor();
+    assert.equal(await page.getByLabel("Answer code").inputValue(), code);
+    // Another name, another question; the answer was not its.
+    await name.fill("Grace");
+    await page.getByRole("button", { name: "Show my question" }).click();
+    await page.locator(`.exercise[data-seed="${seedOf("Grace")}"]`).waitFor();
+    assert.equal(await page.getByLabel("Answer code").count(), 0);
+    // An address that names a student asks for nothing.
+    const link = page.url().replace("#", "?student=Ada#");
+    await page.goto("about:blank");
+    await page.goto(link);
+    await page.locator(`.exercise[data-seed="${seedOf("Ada")}"] #exercise-question`).waitFor();
+    assert.equal(await name.count(), 0);
+  }));
 
 test("a wrong answer is contradicted by a walk, attempts run out, hints are counted in the code", () =>
   visit(async ({ page }) => {

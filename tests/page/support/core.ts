@@ -1,9 +1,9 @@
 // The core, run here in Node: what the page shows is held against its answers.
 import { readFileSync } from "node:fs";
-import init, { Exercise, Problem } from "../../../www/pkg/mo_copp.js";
+import init, { Exercise, Problem, seedOf } from "../../../www/pkg/mo_copp.js";
 import type { Advice, Outcome, PictureOptions, Scene, SolveOptions, Trace } from "../../../www/src/core.js";
 
-export { Exercise };
+export { Exercise, seedOf };
 
 const folder = new URL("../../../www/", import.meta.url);
 await init({ module_or_path: readFileSync(new URL("pkg/mo_copp_bg.wasm", folder)) });

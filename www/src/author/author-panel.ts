@@ -36,6 +36,16 @@ const varyWords: Record<Vary, string> = {
   plan: "the walk",
 };
 
+const variants =
+  "A link asks each student for a name or number, and the question is the one that belongs to it. A page of your own says it by the attribute student or seed.";
+
+const marks = html`<details><summary>Marks</summary>
+  <p>An answer that was checked has a code, which students hand in. <code>mo-copp grade exercise.json codes.csv</code> checks
+    every answer again and writes a table with scores; with <code>--student COLUMN</code> it also sees whether the question was
+    that of the name in the column.</p>
+  <p>A code proves that this answer was given to this question. It does not prove who gave it, when, or with whose help.</p>
+</details>`;
+
 export function authorPanel(playground: AuthorPanelStores): TemplateResult {
   const { exerciseDraft: draft } = playground;
   const shown = shownOn(playground);
@@ -72,8 +82,10 @@ export function authorPanel(playground: AuthorPanelStores): TemplateResult {
           draft.edit({ vary: toggled(fields.vary, name, on) }),
         ),
       )}
+      ${fields.vary.length === 0 ? nothing : html`<p>${variants}</p>`}
     </fieldset>
     ${handOut(playground)}
+    ${marks}
   </div>`;
 }
 

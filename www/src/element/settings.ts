@@ -38,6 +38,13 @@ export function seedOf(element: Element): Seed {
   return wholeNumberOf(element.getAttribute("seed") ?? "") ?? 0;
 }
 
+/** Whether a student may say whose variant it is: on the playground's own page, where its address does not. A page around a frame has its own way. */
+export const leavesSeed = (element: Element): boolean =>
+  element.getAttribute("root") === "page" &&
+  window.parent === window &&
+  !element.hasAttribute("seed") &&
+  !element.hasAttribute("student");
+
 const wholeNumberOf = (text: string): number | null => (/^\s*\d{1,15}\s*$/.test(text) ? Number(text) : null);
 
 /** The playground that has the page's address has its keys, unless the page says otherwise. */

@@ -40,6 +40,7 @@ import {
   goToStep,
   hiddenParts,
   keyReachOf,
+  leavesSeed,
   mistakes,
   type Part,
   seedOf,
@@ -253,6 +254,7 @@ export class View {
   /** What an exercise is asked with. */
   private followQuestion(): void {
     this.playground.exercise.seed = seedOf(this.host);
+    this.playground.exercise.anyone = leavesSeed(this.host);
     this.playground.exercise.block = this.host.getAttribute("exercise");
   }
 

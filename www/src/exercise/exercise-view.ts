@@ -9,6 +9,7 @@ import { counted } from "../view/numbers.js";
 import { answerForm } from "./answer-form.js";
 import { codeField } from "./code-field.js";
 import { counterexample } from "./counterexample.js";
+import { nameForm } from "./name-form.js";
 import { problemInWords } from "./problem-in-words.js";
 
 export interface ExerciseViewStores {
@@ -25,22 +26,8 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
       data-seed=${question.seed}>
     <h2 id="exercise-title">${question.title ?? "Exercise"}</h2>
     ${question.introduction === undefined ? nothing : html`<p class="introduction">${question.introduction}</p>`}
-    <p class="question" id="exercise-question">${question.question}</p>
-    <div class="asked">
-      <div class="picture">${pictures(exercise, question)} ${problemInWords(question)}</div>
-      <form class="answer" aria-describedby="exercise-question" @submit=${(event: Event) => event.preventDefault()}>
-        ${answerForm(exercise, question)}
-        <div class="actions">
-          <button type="button" class="primary" ?disabled=${!exercise.canTry.value} @click=${() => void exercise.check()}>
-            Check the answer</button>
-          ${hintButton(exercise, question)}
-        </div>
-        <p class="tally">${tally(exercise, question)}</p>
-      </form>
-    </div>
-    ${hints(exercise, question)}
-    <div role="status" class="verdict">${said(exercise)}</div>
-    ${codeField(exercise)}
+    ${exercise.asksName.value ? nameForm(exercise) : nothing}
+    ${exercise.asksName.value && exercise.name.value === null ? nothing : asked(exercise, question)}
     ${
       tried === null
         ? nothing
@@ -56,6 +43,27 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
     }
   </section>`;
 }
+
+/** The question with all that belongs to it. */
+const asked = (
+  exercise: Exercise,
+  question: Question,
+): TemplateResult => html`<p class="question" id="exercise-question">${question.question}</p>
+    <div class="asked">
+      <div class="picture">${pictures(exercise, question)} ${problemInWords(question)}</div>
+      <form class="answer" aria-describedby="exercise-question" @submit=${(event: Event) => event.preventDefault()}>
+        ${answerForm(exercise, question)}
+        <div class="actions">
+          <button type="button" class="primary" ?disabled=${!exercise.canTry.value} @click=${() => void exercise.check()}>
+            Check the answer</button>
+          ${hintButton(exercise, question)}
+        </div>
+        <p class="tally">${tally(exercise, question)}</p>
+      </form>
+    </div>
+    ${hints(exercise, question)}
+    <div role="status" class="verdict">${said(exercise)}</div>
+    ${codeField(exercise)}`;
 
 const boardNames = { actor: "The agent", adversarial: "The enemy", cooperative: "The friend" };
 const boardWords = {

@@ -30,7 +30,7 @@ export async function restore(playground: RestoreStores, state: SharedState): Pr
   stop();
   if (!right) return false;
   if (playground.exercise.posed.value !== null) {
-    if (state.answer !== undefined) playground.exercise.resume(state.answer);
+    if (state.answer !== undefined) await playground.exercise.resume(state.answer);
     return true;
   }
   const opened = playground.problem.document.value;

@@ -52,6 +52,7 @@ export interface SharedState {
 const LONGEST_PLAN = 10_000;
 const LONGEST_TITLE = 120;
 const LONGEST_ANSWER = 1000;
+const LONGEST_NAME = 200;
 /** A code has up to two and a half signs for each choice, and some for what it is of. */
 const LONGEST_CODE = 8 * LONGEST_ANSWER;
 
@@ -143,9 +144,10 @@ const isCount = (value: unknown): value is number => typeof value === "number" &
 
 function isAnswer(value: unknown): value is KeptAnswer {
   if (typeof value !== "object" || value === null) return false;
-  const { choices, attempts, hints, checked } = value as Record<string, unknown>;
+  const { choices, attempts, hints, name, checked } = value as Record<string, unknown>;
   const fit = Array.isArray(choices) && choices.length <= LONGEST_ANSWER && choices.every(isCount);
-  return fit && isCount(attempts) && isCount(hints) && (checked === undefined || isChecked(checked));
+  const named = name === undefined || (typeof name === "string" && name.length <= LONGEST_NAME);
+  return fit && named && isCount(attempts) && isCount(hints) && (checked === undefined || isChecked(checked));
 }
 
 function isChecked(value: unknown): boolean {

@@ -18,6 +18,8 @@ export interface KeptAnswer {
   choices: number[];
   attempts: number;
   hints: number;
+  /** The name that was given, where one was asked for; empty where the question without one was wanted. */
+  name?: string;
   /** Of the answer that was checked last. */
   checked?: { code: string; score: number };
 }
@@ -27,6 +29,8 @@ interface Posed {
   text: string;
   question: Question;
   seed: Seed;
+  /** Whose question it is was left to the student. */
+  anyone: boolean;
 }
 
 /** What the core says of an exercise. */
@@ -64,6 +68,12 @@ export class Exercise {
   readonly checking = signal(false);
   /** Whether another answer may be tried. */
   readonly canTry: ReadonlySignal<boolean>;
+  /** The name whose question is shown; empty: the question without a name; null: none was given. */
+  readonly name = signal<string | null>(null);
+  /** Whether a name is to be given, since the question differs from student to student and the page has not said whose it is. */
+  readonly asksName: ReadonlySignal<boolean>;
+  /** Whether the page leaves it to the student whose question is shown. */
+  anyone = false;
   /** What the page asks for by attributes. */
   seed: Seed = 0;
   block: string | null = null;
@@ -74,8 +84,10 @@ export class Exercise {
   private readonly drawer = new TaskRunner("now");
 
   constructor() {
+    this.asksName = computed(() => (this.posed.value?.question.varies ?? false) && this.posed.value?.anyone === true);
     this.canTry = computed(() => {
       const question = this.posed.value?.question;
+      if (this.asksName.value && this.name.value === null) return false;
       if (question === undefined || this.checking.value || this.opening.value) return false;
       const enough = question.form.arity !== "one" || this.choices.value.length === 1;
       const left = question.attempts === undefined || this.attempts.value < question.attempts;
@@ -96,16 +108,18 @@ export class Exercise {
     return this.block === null ? null : withBlock(value, this.block);
   }
 
-  /** Asks the question of a document. Null where that was possible, else why not. */
-  async open(text: string): Promise<string | null> {
+  /** Asks the question of a document, that of a name where one is given. Null where that was possible, else why not. */
+  async open(text: string, name: string | null = null): Promise<string | null> {
     this.opening.value = true;
-    const { seed } = this;
+    const { anyone } = this;
+    const seed = name === null || name === "" ? this.seed : { name };
     const ending = await this.runner.run({ kind: "exercise", document: text, seed });
     if (ending.kind === "stale") return null;
     this.opening.value = false;
     if (ending.kind !== "asked") return messageOf(ending);
     batch(() => {
-      this.posed.value = { text, question: ending.question, seed };
+      this.posed.value = { text, question: ending.question, seed, anyone };
+      this.name.value = name;
       this.pictures.value = [];
       this.next.value = null;
       this.last.value = null;
@@ -114,6 +128,14 @@ export class Exercise {
     });
     void this.draw();
     return null;
+  }
+
+  /** Shows the question that belongs to a name in place of the one that is open. */
+  async call(name: string): Promise<void> {
+    const posed = this.posed.value;
+    if (posed === null || !this.asksName.value) return;
+    const refused = await this.open(posed.text, name.trim());
+    if (refused !== null && posed === this.posed.value) this.error.value = refused;
   }
 
   /** What is wrong with a document's exercise, and what makes it trivial; null where another was looked at meanwhile. */
@@ -149,7 +171,8 @@ export class Exercise {
   }
 
   /** Goes on with an answer that was kept. */
-  resume({ choices, attempts, hints, checked }: KeptAnswer): void {
+  async resume({ choices, attempts, hints, name, checked }: KeptAnswer): Promise<void> {
+    if (name !== undefined) await this.call(name);
     const question = this.posed.value?.question;
     if (question === undefined) return;
     this.change(choices.filter((choice) => choice < question.form.choices.length));
@@ -213,6 +236,7 @@ export class Exercise {
       choices: [...this.choices.value],
       attempts: this.attempts.value,
       hints: this.hints.value,
+      ...(this.name.value === null ? {} : { name: this.name.value }),
       ...(code === null || score === null ? {} : { checked: { code, score } }),
     };
   }
