@@ -59,8 +59,8 @@ test("what is loaded, what each observer saw and what it believes", () =>
       "b2: surely still here",
     ]);
     const seen = (board: string) => page.locator(`[data-board="${board}"] .truck .package title`).allTextContents();
-    assert.deepEqual(await seen("adversarial"), ["Seen: package"]);
-    assert.deepEqual(await seen("cooperative"), ["Seen: barcode A"]);
+    assert.deepEqual(await seen("adversarial"), ["Told: package"]);
+    assert.deepEqual(await seen("cooperative"), ["Told: barcode A"]);
     assert.deepEqual(await seen("actor"), ["a1"]);
   }));
 

@@ -98,7 +98,7 @@ test("goals are named, added, removed, and one is true", () =>
 test("sensors by preset and by symbol, cameras and first beliefs", () =>
   edit(async (page) => {
     await openTab(page, "Edit");
-    const enemy = page.getByRole("group", { name: "What the enemy sees" });
+    const enemy = page.getByRole("group", { name: "What the enemy is told" });
     const sensor = enemy.getByLabel("Sensor");
     await sensor.selectOption({ label: "Sees every move" });
     const seen = await assertLive(page);
@@ -172,7 +172,7 @@ test("a delivery is edited in all its parts", () =>
     await page.getByText("3 of 5 (10 candidate goals)").waitFor({ state: "attached" });
     await page.getByLabel("Packages at once").selectOption("3");
     assert.equal((await live()).true_goal, "parcel+a2+b1");
-    const friend = page.getByRole("group", { name: "What the friend sees" });
+    const friend = page.getByRole("group", { name: "What the friend is told" });
     await friend.getByLabel("Sensor").selectOption({ label: "Reads each package" });
     assert.equal((await live()).observers.cooperative.sensor.load instanceof Object, true);
     await friend.getByLabel("Sensor").selectOption({ label: "Reads the factory" });

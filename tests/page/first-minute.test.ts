@@ -220,3 +220,41 @@ test("why a goal is not possible is said, and drawn on the board", () =>
     assert.equal(await marks.getAttribute("data-reason"), "now");
     assert.equal(await marks.locator(".last").count(), 1);
   }));
+
+test("a goal that is chosen on a board is asked about where one is, and chosen again, where that began", () =>
+  opened(async (page) => {
+    const chip = (role: string, goal: string) => page.locator(`.panel.${role} .survivors [data-goal="${goal}"]`);
+    const because = (role: string) => page.locator(`.panel.${role} .because`);
+    await page.locator(".difference .final", { hasText: "Goal difference at the end: 1." }).waitFor();
+    await slider(page).fill("3");
+    await stepIs(page, 3);
+    await chip("cooperative", "G4").click();
+    await because("cooperative")
+      .getByText(/not possible now: from the nearest place believed now it is \d+ actions? away\./)
+      .waitFor();
+    assert.equal(await attribute(page, "data-step"), "3");
+    await chip("cooperative", "G4").click();
+    await stepIs(page, 11);
+    const last = Number(await slider(page).getAttribute("max"));
+    await slider(page).fill(String(last));
+    await stepIs(page, last);
+    await chip("cooperative", "G2").click();
+    await because("cooperative").getByText("ruled out: before step").waitFor();
+    await chip("cooperative", "G3").click();
+    await because("cooperative")
+      .getByText(/ruled out: from the nearest place believed now it is \d+ actions? away, and the plan ends here\./)
+      .waitFor();
+    assert.equal(await attribute(page, "data-step"), String(last));
+    // No chip offers what it does not do.
+    for (const role of ["adversarial", "cooperative"]) {
+      const chips = await page.locator(`.panel.${role} .survivors li`).evaluateAll((all) =>
+        all.map((one) => ({
+          possible: one.getAttribute(`data-${one.closest(".adversarial") ? "adversarial" : "cooperative"}`) === "alive",
+          title: (one as HTMLElement).title,
+        })),
+      );
+      assert.equal(chips.length, 4);
+      for (const { possible, title } of chips)
+        assert.match(title, possible ? /: possible, and at the end as well$/ : /: show why it is not possible$/);
+    }
+  }));

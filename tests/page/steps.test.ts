@@ -155,8 +155,8 @@ test("each step is said once, in words, when one has come to rest", () =>
       const survive = (names: string[]) =>
         names.length === 0 ? "no goal is possible now" : names.length === 1 ? `goal ${names[0]} is possible` : null;
       const words =
-        `Step 15, ${action}: the enemy saw ${symbols.adversarial}, ${beliefs.adversarial.length} states left, ` +
-        `${survive(goals.adversarial)}; the friend saw ${symbols.cooperative}, ` +
+        `Step 15, ${action}: the enemy was told ${symbols.adversarial}, ${beliefs.adversarial.length} states left, ` +
+        `${survive(goals.adversarial)}; the friend was told ${symbols.cooperative}, ` +
         `${beliefs.cooperative.length === 1 ? "1 state" : `${beliefs.cooperative.length} states`} left, ${survive(goals.cooperative)}.`;
       await said(page).getByText(words, { exact: true }).waitFor({ state: "attached" });
       assert.deepEqual(await heard(), [words]);

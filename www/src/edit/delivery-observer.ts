@@ -26,7 +26,7 @@ export function deliveryObserverForm(playground: FieldStores, document: Delivery
     });
   const use = (name: DeliveryPreset) => attempt(playground, role, useDeliveryPreset(document, role, name));
   return html`<fieldset class="observer ${role}">
-    <legend>What the ${called[role]} sees</legend>
+    <legend>What the ${called[role]} is told</legend>
     ${presetField("Sensor", deliveryPresets, deliveryPresetOf(document, role), use)}
     <div class="symbols-of" role="group" aria-label="Symbols for the ${called[role]}">
       ${

@@ -39,7 +39,7 @@ export function observerForm(playground: ObserverFormStores, document: Gridworld
     around?.querySelector(`[data-board=${role}]`)?.scrollIntoView({ block: "nearest" });
   };
   return html`<fieldset class="observer ${role}">
-    <legend>What the ${called[role]} sees</legend>
+    <legend>What the ${called[role]} is told</legend>
     ${presetField("Sensor", titles, presetOf(document, role), (name) => edit(usePreset(document, role, name)))}
     <div class="row moves" role="group" aria-label="Symbol for each move, for the ${called[role]}">
       ${movesOf(document).map((move) =>

@@ -14,7 +14,7 @@ export function answerForm(exercise: Exercise, question: Question): TemplateResu
   if (choices.every(isCell)) return cellGrid(exercise, question);
   const type = arity === "one" ? "radio" : "checkbox";
   const legend =
-    choice === "goal" ? (arity === "one" ? "The goal" : "Goals that are possible") : "States that are possible";
+    choice === "goal" ? (arity === "one" ? "The goal" : "Goals that are possible") : "States that the agent can be in";
   return html`<fieldset class="choices">
     <legend>${legend}</legend>
     ${choices.map((label, index) => {

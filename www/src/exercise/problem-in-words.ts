@@ -42,14 +42,14 @@ function gridInWords(grid: Grid, kind: string): TemplateResult {
 }
 
 function watcherText(role: "adversarial" | "cooperative", { sensor, cameras = [], initial_belief }: Watcher): string {
-  const seen = Object.entries(sensor).map(([action, symbol]) => `${action} as “${symbol}”`);
+  const told = Object.entries(sensor).map(([action, symbol]) => `“${symbol}” for ${action}`);
   const who = `The ${called[role]}`;
   const watched = cameras.length === 0 ? "" : ` Its cameras: ${cells(cameras)}; there it sees the very cell instead.`;
   const begins =
     initial_belief === undefined
       ? "knows the start"
       : `believes at first that the start is one of: ${cells(initial_belief as number[][])}`;
-  return `${who} ${begins}. It sees ${seen.join(", ")}.${watched}`;
+  return `${who} ${begins}. It is told ${told.join(", ")}.${watched}`;
 }
 
 function inJson(document: object, kind: string): TemplateResult {

@@ -64,7 +64,7 @@ export const entries: readonly Entry[] = [
   {
     name: "blind-friend",
     title: "A blind friend",
-    about: "There is no telling a friend who sees nothing: GD is at most 0, whatever the plan.",
+    about: "No plan speaks to a friend who is told nothing: GD is at most 0, whatever the plan.",
   },
   {
     name: "camera-zone",
@@ -77,7 +77,7 @@ export const entries: readonly Entry[] = [
     name: "corridor",
     title: "One step too far",
     about:
-      "In a narrow corridor the enemy hears only the turn at the end. One step past the door and back, and it may have been any of four doors.",
+      "In a narrow corridor the enemy is told only of the turn at the end. One step past the door and back, and it may have been any of four doors.",
     plans: [
       { title: "Straight there", plan: ["east", "east", "north"] },
       { title: "Past and back", plan: ["east", "east", "east", "west", "north"] },
@@ -87,7 +87,7 @@ export const entries: readonly Entry[] = [
     name: "three-rooms",
     title: "Three rooms",
     about:
-      "The enemy sees every move, but not in which room. A walk along the wall fits two of the three rooms; the best walk fits them all.",
+      "The enemy is told every move, but not in which room. A walk along the wall fits two of the three rooms; the best walk fits them all.",
     plans: [
       { title: "Along the wall", plan: [...times(4, "north"), ...times(2, "east")] },
       { title: "As in every room" },
@@ -168,7 +168,7 @@ export const entries: readonly Entry[] = [
     name: "blocks",
     title: "Towers of blocks",
     about:
-      "The enemy hears what is done, not with which block. A detour of 16 actions gives the tower away; the shortest way, 14, hides it.",
+      "The enemy is told what is done, not with which block. A detour of 16 actions gives the tower away; the shortest way, 14, hides it.",
     plans: [
       {
         title: "A detour",

@@ -128,12 +128,13 @@ export const glossary = (see: See): Definition[] => [
   },
   {
     ...{ term: "k", name: "k", symbol: letter("k"), source: "Section 3, goal constraints." },
-    meaning: html`At least so many goals stay possible for the enemy: it can name the true one with a chance of at most 1/k.
-      Together with ${see("j", "j")}, the goal difference is at least (k − j)/(n − 1) (Proposition 4).`,
+    meaning: html`At least so many goals stay possible for the enemy: where all of them are equally likely to it, it names the true
+      one with a chance of at most 1/k. Together with ${see("j", "j")}, the goal difference is at least (k − j)/(n − 1) (Proposition 4).`,
   },
   {
     ...{ term: "j", name: "j", symbol: letter("j"), source: "Section 3, goal constraints." },
-    meaning: html`At most so many goals stay possible for the friend: it can name the true one with a chance of at least 1/j.`,
+    meaning: html`At most so many goals stay possible for the friend: where all of them are equally likely to it, it names the true
+      one with a chance of at least 1/j.`,
   },
   {
     ...{ term: "exact", name: "Exact search" },

@@ -29,7 +29,7 @@ const stops: readonly Stop[] = [
   {
     of: ".panel.adversarial .verdict",
     title: "Possible and ruled out",
-    text: "A goal is possible when the agent can be at it, and ruled out when nothing leads there any more. Choose a goal to see why it is not possible.",
+    text: "A goal is possible when the agent can be at it, and ruled out when nothing leads there any more or the plan is over. Choose a goal to see why it is not possible.",
   },
   {
     of: ".stepper",

@@ -42,7 +42,7 @@ function body(playground: GuessPanelStores, game: Guess, round: Round): Template
   const list = longList(game, goals, "goals");
   const { step, lastStep } = playground.timeline;
   return html`<p>
-      Step forward to hear what the enemy is told. Its board shows where the agent could be.
+      Step forward to be told what the enemy is told. Its board shows where the agent could be.
       ${step.value === lastStep.value ? html`<b>The agent has arrived.</b>` : ""}
     </p>
     <p id="${playground.workbench.id}-guess">Which goal is it after?</p>

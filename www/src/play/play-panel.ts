@@ -35,7 +35,7 @@ export function playPanel(playground: PlayPanelStores): TemplateResult {
     </div>
     <div>
       <h3>You are the enemy</h3>
-      <p>A goal is drawn, and you see only what the enemy is told. Guess where the agent is going.</p>
+      <p>A goal is drawn, and you know only what the enemy is told. Guess where the agent is going.</p>
       <button type="button" class="primary" @click=${(event: Event) => void startGuessing(playground, event)}>Start guessing</button>
     </div>
   </div>`;

@@ -75,7 +75,7 @@ function part(role: Role, shown: TraceStep): string {
   const symbol = shown.symbols[role];
   const states = stateCount(shown, role);
   return [
-    `the ${called[role]} ${symbol === null ? "has seen nothing yet" : `saw ${named(symbol)}`}`,
+    `the ${called[role]} ${symbol === null ? "was told nothing yet" : `was told ${named(symbol)}`}`,
     `${states} ${states === 1 ? "state" : "states"} left`,
     possible(shown.goals[role]),
   ].join(", ");

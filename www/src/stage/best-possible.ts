@@ -9,13 +9,15 @@ export interface BestPossibleStores {
   boards: Boards;
 }
 
-export function bestPossible(playground: BestPossibleStores): TemplateResult {
+/** `labelled`: what the number is stands beside it already. */
+export function bestPossible(playground: BestPossibleStores, labelled: boolean): TemplateResult {
   const optimum = playground.answer.optimum.value;
   const shown = playground.boards.difference.value;
   const best = optimum?.outcome.goal_difference ?? null;
   const less = best !== null && shown !== null && shown < best - 1e-9;
   if (isImpossible(playground)) return html`<p class="best">No plan can do what is asked.</p>`;
-  return html`<p class="best">${optimum === null ? "Best possible: …" : words(optimum)}${
+  const thing = labelled ? "" : " goal difference";
+  return html`<p class="best">${optimum === null ? `Best possible${thing}: …` : words(optimum, thing)}${
     less ? html` · <span class="less">this plan: <b>${shortNumber(shown)}</b></span>` : ""
   }</p>`;
 }
@@ -24,13 +26,13 @@ export function bestPossible(playground: BestPossibleStores): TemplateResult {
 export const isImpossible = ({ answer: { optimum, result } }: Pick<BestPossibleStores, "answer">): boolean =>
   (optimum.value ?? result.value)?.outcome.status === "infeasible";
 
-function words({ options, outcome }: Result): TemplateResult {
+function words({ options, outcome }: Result, thing: string): TemplateResult {
   const { status, goal_difference, limit } = outcome;
-  if (goal_difference === null) return html`Best possible: not known${limit === undefined ? "" : " (stopped)"}`;
+  if (goal_difference === null) return html`Best possible${thing}: not known${limit === undefined ? "" : " (stopped)"}`;
   const value = html`<b>${shortNumber(goal_difference)}</b>`;
-  if (status !== "optimal") return html`Best found: ${value}`;
+  if (status !== "optimal") return html`Best${thing} found: ${value}`;
   const { horizon, k, j } = options;
   const length = typeof horizon === "number" ? ` of ${counted(horizon, "move")}` : "";
   const bounds = k === undefined && j === undefined ? "" : " within bounds";
-  return html`Best${length === "" && bounds === "" ? " possible" : length + bounds}: ${value}`;
+  return html`Best${length === "" && bounds === "" ? " possible" : ""}${thing}${length + bounds}: ${value}`;
 }

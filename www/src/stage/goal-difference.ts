@@ -27,12 +27,13 @@ export function goalDifference(playground: GoalDifferenceStores): TemplateResult
   const waiting = playground.answer.status.value === "solving" ? "Looking for a plan." : "No plan yet.";
   // That there can be no plan is said beside it.
   const lacking = walking ? "You are not at the true goal." : isImpossible(playground) ? "" : waiting;
-  const now = final === null ? lacking : atEnd ? "The plan ends here." : `At the end: ${shortNumber(final)}.`;
+  const now =
+    final === null ? lacking : atEnd ? "The plan ends here." : `Goal difference at the end: ${shortNumber(final)}.`;
   return html`<div class="difference">
     ${none ? value("none") : atEnd ? html`${value(shortNumber(final))} ${formula(counts)}` : soFar(playground, counts)}
     <div class="after">${now === "" ? nothing : html`<p class="final">${now}</p>`} ${
       // Of the problem that is open, not of the goal that was drawn.
-      playground.boards.disguise.value === null ? bestPossible(playground) : nothing
+      playground.boards.disguise.value === null ? bestPossible(playground, final !== null) : nothing
     }</div>
   </div>`;
 }

@@ -12,7 +12,7 @@ import { wholeNumber } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
 import { stateCount } from "./belief-size.js";
 import type { BoardInput } from "./board-input.js";
-import { goalViews } from "./goal-attributes.js";
+import { type GoalView, goalViews } from "./goal-attributes.js";
 import { looks } from "./goal-marks.js";
 import { isGrid } from "./grid/cells.js";
 import { signs } from "./standing-signs.js";
@@ -24,6 +24,13 @@ export interface SurvivorStores extends WhyStores {
 
 /** More goals than these are a list to scroll. */
 const MANY = 12;
+
+/** What choosing a goal shows. Who plays the enemy is shown nothing that is still to come. */
+function offer({ name, standing }: GoalView, role: Role, { boards: { story, mode } }: SurvivorStores): string {
+  if (mode.value === "guess") return standing[role];
+  if (standing[role] !== "possible") return "show why it is not possible";
+  return story.endOf(name, role) === null ? "possible, and at the end as well" : "possible; show until when";
+}
 
 export function survivors(role: Role, { scene, shown }: BoardInput, playground: SurvivorStores): TemplateResult {
   const { story, mode } = playground.boards;
@@ -40,7 +47,8 @@ export function survivors(role: Role, { scene, shown }: BoardInput, playground: 
         list.shown,
         ({ item: goal }) => html`<li class=${looks[goal.standing[role]]} data-goal=${goal.name}
           data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
-          ?data-true-goal=${goal.isTrue} title="${named(goal.name)}: show why it is not possible" @click=${() => mode.value !== "guess" && story.choose(goal.name)}>
+          ?data-true-goal=${goal.isTrue} title="${named(goal.name)}: ${offer(goal, role, playground)}"
+          @click=${() => mode.value !== "guess" && story.ask(goal.name, role)}>
           ${signs[goal.standing[role]]}<span class="name">${visible(goal.name)}</span>${goal.isTrue ? star : ""}
           <span class="unseen">${goal.standing[role]}</span>
         </li>`,

@@ -3,6 +3,7 @@
 import { html, nothing, svg, type TemplateResult } from "lit";
 import type { Elimination, Nearest, State } from "../core.js";
 import { glossaryLink } from "../help/glossary-link.js";
+import type { Timeline } from "../state/timeline.js";
 import type { Why } from "../state/why.js";
 import { actionText } from "../view/action.js";
 import { brief } from "../view/names.js";
@@ -12,6 +13,7 @@ import type { Standing } from "./goal-attributes.js";
 
 export interface WhyStores {
   why: Why;
+  timeline: Timeline;
 }
 
 /** More symbols or actions would hide what they are examples of. */
@@ -21,25 +23,35 @@ export function reason(
   role: Role,
   noun: string,
   standing: Standing | undefined,
-  { why }: WhyStores,
+  { why, timeline }: WhyStores,
 ): TemplateResult | typeof nothing {
   const known = why.of(role);
   if (known === undefined || standing === undefined || standing === "possible") return nothing;
   const { goal, cause } = known;
   return html`<p class="because" role="status"><b>${brief(goal)}</b> ${
     standing === "ruled out" ? glossaryLink("possible", "ruled out") : "not possible now"
-  }: ${isNearest(cause) ? far(noun, standing, cause) : words(role, noun, cause)}</p>`;
+  }: ${isNearest(cause) ? far(goal, role, noun, cause, timeline) : words(role, noun, cause)}</p>`;
 }
 
 const isNearest = (cause: Elimination | Nearest | null): cause is Nearest | null =>
   cause === null || "actions" in cause;
 
-/** No believed state was ever one action away from the goal. */
-function far(noun: string, standing: Standing, nearest: Nearest | null): string {
-  if (nearest === null) return `no ${noun} believed until now was one action away from it.`;
-  if (nearest.actions === null) return `no actions lead there from any ${noun} believed now.`;
-  const away = `from the nearest ${noun} believed now it is ${counted(nearest.actions, "action")} away`;
-  return standing === "ruled out" ? `${away}, and the plan has come to its end.` : `${away}.`;
+/** No believed state was ever one action away: how far it is now, or since when no way leads there. */
+function far(goal: string, role: Role, noun: string, nearest: Nearest | null, timeline: Timeline): TemplateResult {
+  const steps = timeline.trace.value?.steps ?? [];
+  const ruledOut = (step: number) => steps[step]?.ruled_out?.[role].includes(goal) === true;
+  const now = timeline.step.value;
+  if (nearest?.actions === null) {
+    let since = now;
+    while (since > 0 && ruledOut(since - 1)) since -= 1;
+    if (since === 0) return html`no way leads to it from any ${noun} believed at the start.`;
+    return html`since step ${since}, <b>${brief(steps[since]?.symbols[role] ?? "")}</b>, no way leads to it from any ${noun} believed.`;
+  }
+  const away =
+    nearest === null
+      ? `no ${noun} believed until now was one action away from it`
+      : `from the nearest ${noun} believed now it is ${counted(nearest.actions, "action")} away`;
+  return html`${away}${ruledOut(now) ? ", and the plan ends here" : ""}.`;
 }
 
 function words(role: Role, noun: string, { step, symbol, led, led_count, held_count }: Elimination): TemplateResult {
@@ -65,10 +77,10 @@ function cellIn(state: State): [number, number] | null {
 }
 
 /** A ring around each cell from which one action would have led to the goal, with an arrow that way, crossed out. */
-export function reasonMarks(role: Role, { why }: WhyStores) {
+export function reasonMarks(role: Role, { why }: Pick<WhyStores, "why">) {
   const cause = why.of(role)?.cause ?? null;
   if (isNearest(cause)) {
-    const cell = cause?.state == null ? null : cellIn(cause.state);
+    const cell = cause === null || cause.state === null ? null : cellIn(cause.state);
     return cell === null ? nothing : svg`<g class="reason" data-reason="now">${ring(cell)}</g>`;
   }
   const elimination = cause;

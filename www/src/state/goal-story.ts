@@ -40,14 +40,29 @@ export class GoalStory {
     if (trace === null) return;
     const again = this.goal.value === goal;
     this.goal.value = goal;
-    const steps = roles
-      .map((role) => fate(trace, goal, role))
-      .flatMap((end) => (end.kind === "ends" ? [end.step] : []));
+    const steps = roles.flatMap((role) => this.endOf(goal, role) ?? []);
     const moments = [...new Set(steps)].sort((a, b) => a - b);
     const shown = this.timeline.step.value;
     const next = again ? moments.find((step) => step > shown) : undefined;
     const target = next ?? moments[0];
     if (target !== undefined) this.timeline.goTo(target);
+  }
+
+  /** Asks about a goal for one observer: where it is not possible, why at the step shown, and chosen again, at which step
+   * that began; where it still is, until which step. */
+  ask(goal: string, role: Role): void {
+    const again = this.goal.value === goal;
+    const possible = this.timeline.shown.value?.goals[role].includes(goal) ?? false;
+    const end = this.endOf(goal, role);
+    this.goal.value = goal;
+    if ((again || possible) && end !== null) this.timeline.goTo(end);
+  }
+
+  /** From which step on a goal is not possible any more; null where it is possible at the end, or never was. */
+  endOf(goal: string, role: Role): number | null {
+    const trace = this.timeline.trace.value;
+    const end = trace === null ? null : fate(trace, goal, role);
+    return end?.kind === "ends" ? end.step : null;
   }
 
   forget(): void {

@@ -61,7 +61,7 @@ function cargo(name: BoardName, { scene, trace, step, shown }: DeliveryInput) {
     } else {
       const symbol = now.symbols[name] ?? "";
       const sure = shown.beliefs[name].every((state) => isLoaded(state, added));
-      goods.push({ label: mark(symbol), title: `Seen: ${symbol}`, kind: sure ? "seen sure" : "seen" });
+      goods.push({ label: mark(symbol), title: `Told: ${symbol}`, kind: sure ? "seen sure" : "seen" });
     }
   }
   return goods;
