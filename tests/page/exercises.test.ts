@@ -127,6 +127,9 @@ for (const name of [
       await answerByKeys(page, solved(name));
       await ends(page, "right");
       await page.locator("mo-copp-playground[data-exercise=right]").waitFor();
+      // The keyboard stays where it was: the button that was pressed has the focus still.
+      assert.equal(await page.evaluate(() => document.activeElement?.textContent?.trim()), "Check the answer");
+      assert.equal(await page.locator(".answer .primary").getAttribute("aria-disabled"), "true");
       const code = await page.getByLabel("Answer code").inputValue();
       assert.match(code, /^([0-9A-Z]{5}-)+[0-9A-Z]{1,5}$/);
       await page.locator(".exercise details").evaluate((details) => details.setAttribute("open", ""));
@@ -174,6 +177,25 @@ test("a link asks for the student's name where the question varies, and goes on 
     assert.equal(await name.count(), 0);
   }));
 
+test("an answer without a choice takes an attempt only when it is meant, and none where it cannot be right", () =>
+  visit(async ({ page }) => {
+    await open(page, "01-possible-goals");
+    const check = page.getByRole("button", { name: "Check the answer" });
+    await check.click();
+    await page.getByText("Nothing is chosen. If that is your answer, check it again.").waitFor();
+    await page.getByText("3 attempts left.").waitFor();
+    await check.click();
+    await ends(page, "wrong");
+    await page.getByText("2 attempts left.").waitFor();
+    assert.equal(await page.getByText("Nothing is chosen.").count(), 0);
+    await open(page, "02-belief");
+    assert.equal(await check.getAttribute("aria-disabled"), "true");
+    // The cells are numbered as what is said of an answer names them.
+    const edges = await page.locator(".cells .edge").allTextContents();
+    const { width, height } = JSON.parse(exerciseText("02-belief"));
+    assert.deepEqual(edges, ["", ...Array(width).keys(), ...Array(height).keys()].map(String));
+  }));
+
 test("a wrong answer is contradicted by a walk, attempts run out, hints are counted in the code", () =>
   visit(async ({ page }) => {
     await open(page, "01-possible-goals");
@@ -189,7 +211,10 @@ test("a wrong answer is contradicted by a walk, attempts run out, hints are coun
     }
     await assertNoBarrier(page, "a wrong answer");
     await page.getByLabel("G3", { exact: true }).uncheck();
-    assert(await check.isDisabled());
+    assert.equal(await check.getAttribute("aria-disabled"), "true");
+    const said = await page.locator(".tally").textContent();
+    await check.click({ force: true });
+    assert.equal(await page.locator(".tally").textContent(), said);
     const code = await page.getByLabel("Answer code").inputValue();
     const exercise = new Exercise(exerciseText("01-possible-goals"), 0);
     assert.equal(code, exercise.check(Uint32Array.from([0, 2, 3]), 3, 1).code);

@@ -30,12 +30,16 @@ export function cellGrid(exercise: Exercise, question: Question): TemplateResult
   const columns = Array.from({ length: width }, (_, column) => column);
   return html`<fieldset class="choices">
     <legend>${legends[question.place ?? "state"]}</legend>
-    <div class="cells" .style=${`grid-template-columns: repeat(${width}, minmax(1.6rem, 1fr))`} role="group"
+    <div class="cells" .style=${`grid-template-columns: 1.6rem repeat(${width}, minmax(1.6rem, 1fr))`} role="group"
       aria-label=${legends[question.place ?? "state"]} @keydown=${keys(exercise, at, cells)}>
-      ${rows.map((row) => columns.map((column) => cellButton(exercise, [column, row], at, floor?.marks.get(`${column},${row}`) ?? [])))}
+      ${edge("")} ${columns.map(edge)}
+      ${rows.map((row) => [edge(row), ...columns.map((column) => cellButton(exercise, [column, row], at, floor?.marks.get(`${column},${row}`) ?? []))])}
     </div>
   </fieldset>`;
 }
+
+/** A column's or a row's number, as cells are named in what is said of an answer; each cell's own name has both. */
+const edge = (number: number | ""): TemplateResult => html`<span class="edge" aria-hidden="true">${number}</span>`;
 
 function cellButton(
   exercise: Exercise,

@@ -54,7 +54,7 @@ const asked = (
       <form class="answer" aria-describedby="exercise-question" @submit=${(event: Event) => event.preventDefault()}>
         ${answerForm(exercise, question)}
         <div class="actions">
-          <button type="button" class="primary" ?disabled=${!exercise.canTry.value} @click=${() => void exercise.check()}>
+          <button type="button" class="primary" aria-disabled=${String(!exercise.canTry.value)} @click=${() => void exercise.check()}>
             Check the answer</button>
           ${hintButton(exercise, question)}
         </div>
@@ -93,7 +93,7 @@ function tally({ attempts }: Exercise, question: Question): string {
 function hintButton(exercise: Exercise, question: Question): TemplateResult | typeof nothing {
   const left = question.hints.length - exercise.hints.value;
   if (question.hints.length === 0) return nothing;
-  return html`<button type="button" ?disabled=${left === 0} @click=${() => exercise.hint()}>${
+  return html`<button type="button" aria-disabled=${String(left === 0)} @click=${() => exercise.hint()}>${
     left === 0 ? "No more hints" : `Show a hint (${left} left)`
   }</button>`;
 }
@@ -105,9 +105,12 @@ function hints(exercise: Exercise, question: Question): TemplateResult | typeof 
   )}</ol>`;
 }
 
-function said({ verdict, error, checking }: Exercise): TemplateResult | string {
+const empty = "Nothing is chosen. If that is your answer, check it again.";
+
+function said({ verdict, error, checking, unsure }: Exercise): TemplateResult | string {
   if (checking.value) return "Checking…";
   if (error.value !== null) return html`<p>${error.value}</p>`;
+  if (unsure.value) return html`<p>${empty}</p>`;
   return verdict.value === null ? "" : judged(verdict.value);
 }
 

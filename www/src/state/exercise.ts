@@ -66,6 +66,8 @@ export class Exercise {
   /** Something went wrong. */
   readonly error = signal<string | null>(null);
   readonly checking = signal(false);
+  /** An answer without any choice was to be checked: it is when it is asked for again. */
+  readonly unsure = signal(false);
   /** Whether another answer may be tried. */
   readonly canTry: ReadonlySignal<boolean>;
   /** The name whose question is shown; empty: the question without a name; null: none was given. */
@@ -89,7 +91,10 @@ export class Exercise {
       const question = this.posed.value?.question;
       if (this.asksName.value && this.name.value === null) return false;
       if (question === undefined || this.checking.value || this.opening.value) return false;
-      const enough = question.form.arity !== "one" || this.choices.value.length === 1;
+      const { arity, choice } = question.form;
+      const made = this.choices.value.length;
+      // Some state is always possible.
+      const enough = arity === "one" ? made === 1 : choice !== "state" || made > 0;
       const left = question.attempts === undefined || this.attempts.value < question.attempts;
       return enough && left && this.verdict.value === null;
     });
@@ -209,6 +214,10 @@ export class Exercise {
   async check(): Promise<void> {
     const posed = this.posed.value;
     if (posed === null || !this.canTry.value) return;
+    if (this.choices.value.length === 0 && !this.unsure.value) {
+      this.unsure.value = true;
+      return;
+    }
     this.checking.value = true;
     const [choices, hints, attempts] = [this.choices.value, this.hints.value, this.attempts.value + 1];
     const { text, seed } = posed;
@@ -222,6 +231,7 @@ export class Exercise {
     batch(() => {
       this.error.value = null;
       this.attempts.value = attempts;
+      this.unsure.value = false;
       this.code.value = ending.verdict.code;
       this.score.value = ending.verdict.score;
       // Another answer may be on its way.
@@ -251,6 +261,7 @@ export class Exercise {
       this.choices.value = choices;
       this.verdict.value = null;
       this.error.value = null;
+      this.unsure.value = false;
     });
     if (this.posed.value?.question.form.choice === "action") void this.draw();
   }
@@ -265,6 +276,7 @@ export class Exercise {
       this.hints.value = 0;
       this.error.value = null;
       this.checking.value = false;
+      this.unsure.value = false;
     });
   }
 
