@@ -9,9 +9,11 @@ const PAD = 5;
 /** Between the two boards of a node. */
 const BETWEEN = 6;
 const GAP = 12;
-const ROW_LABEL = 24;
-/** Room for arrows between a row and the label of the next. */
-const ARROWS = 44;
+/** Room on the left for what a row comes to, where no arrow goes. */
+const MARGIN = 84;
+const LINE = 20;
+/** Room for arrows between a row and the next. */
+const ARROWS = 48;
 /** Room for a node's value. */
 const VALUE = 19;
 
@@ -22,15 +24,15 @@ const round = (number) => Math.round(number * 10) / 10;
 function sizes(layers, { width, height }) {
   const node = { width: 2 * width * CELL + 2 * PAD + BETWEEN, height: height * CELL + 2 * PAD };
   const most = Math.max(...layers.map(({ nodes }) => nodes.length));
-  const step = ROW_LABEL + node.height + VALUE + ARROWS;
-  const across = most * node.width + (most - 1) * GAP + 4;
+  const step = node.height + VALUE + ARROWS;
+  const across = MARGIN + most * node.width + (most - 1) * GAP + 4;
   return { node, across, down: layers.length * step - ARROWS + 4, step };
 }
 
 /** Top left corner of a node. */
 const corner = ({ node, across, step }, row, index, count) => ({
-  x: (across - count * node.width - (count - 1) * GAP) / 2 + index * (node.width + GAP),
-  y: row * step + ROW_LABEL + 2,
+  x: (across + MARGIN - count * node.width - (count - 1) * GAP) / 2 + index * (node.width + GAP),
+  y: row * step + 2,
 });
 
 function board(scene, { state, beliefs }, observer, left, top) {
@@ -79,9 +81,26 @@ function drawnArc(size, layers, row, { from, to, actions }, id) {
 
 const counted = (count, one, many) => `${count} ${count === 1 ? one : many}`;
 
+const countsOf = ({ nodes, plans }, row) => [
+  row === 0 ? "Start" : counted(row, "step", "steps"),
+  counted(plans, "plan", "plans"),
+  counted(nodes.length, "node", "nodes"),
+];
+
 /** What a layer comes to. */
-export const said = ({ nodes, plans }, row) =>
-  `${row === 0 ? "Start" : counted(row, "step", "steps")}: ${counted(plans, "plan", "plans")}, ${counted(nodes.length, "node", "nodes")}`;
+export function said(layer, row) {
+  const [steps, plans, nodes] = countsOf(layer, row);
+  return `${steps}: ${plans}, ${nodes}`;
+}
+
+/** The same in the margin, beside the nodes. */
+function marginal(size, layer, row) {
+  const top = row * size.step + 2 + size.node.height / 2 - LINE + 5;
+  const lines = countsOf(layer, row).map(
+    (text, index) => `<tspan x="2" y="${round(top + index * LINE)}">${text}</tspan>`,
+  );
+  return `<text class="row">${lines.join(" ")}</text>`;
+}
 
 /** The drawing; `lit`: the nodes that a path goes through. */
 export function drawing(id, name, layers, label, lit) {
@@ -92,7 +111,7 @@ export function drawing(id, name, layers, label, lit) {
     const nodes = layer.nodes
       .map((node, index) => drawnNode(scene, size, node, row, index, layer.nodes.length))
       .join("");
-    const title = `<text class="row" x="2" y="${row * size.step + 16}">${said(layer, row)}</text>`;
+    const title = marginal(size, layer, row);
     const down = round((row + 1) * size.step - ARROWS + 4);
     return `<g data-row="${row}" data-said="${said(layer, row)}" data-known="${layer.known}" data-down="${down}">${arcs}${title}${nodes}</g>`;
   });

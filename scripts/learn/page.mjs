@@ -12,15 +12,18 @@ const attributesOf = (tag) =>
 /** What the article's figures leave out of the playground. */
 const HIDDEN = "gallery share tools legend workbench goals";
 
-/** `<figure data-figure data-plan data-step data-poster data-boards>`: a playground with its document and a poster. */
+/** `<figure data-figure data-plan data-step data-poster data-boards>`: a playground with its document and a poster. With `data-boards="adversarial actor"` it
+ * is a story of one observer, without goals. */
 function playground(attributes, files) {
   const { "data-figure": name, "data-plan": plan, "data-step": step = "0" } = attributes;
   const last = planOf(name, plan).length;
   const boards = (attributes["data-boards"] ?? "adversarial actor cooperative").split(" ");
   const picture = poster(name, plan, Number(attributes["data-poster"] ?? last), boards);
   for (const [file, text] of picture.files) files.set(file, text);
-  const kind = boards.length < 3 ? ' class="one-observer"' : "";
-  return `<mo-copp-playground id="${name}"${kind} plan="${planAttribute(name, plan)}" step="${step}" link="off" loading="lazy" hide="${HIDDEN}">${inlineDocument(name)}${picture.html}</mo-copp-playground>`;
+  const one = boards.length < 3;
+  const kind = one ? ' class="one-observer"' : "";
+  const hidden = one ? `${HIDDEN} friend counts` : HIDDEN;
+  return `<mo-copp-playground id="${name}"${kind} plan="${planAttribute(name, plan)}" step="${step}" link="off" loading="lazy" hide="${hidden}">${inlineDocument(name)}${picture.html}</mo-copp-playground>`;
 }
 
 /** `<figure data-automaton data-horizon>`: the automaton, which grows; with `data-flows` the part of it that leads to the goal. */

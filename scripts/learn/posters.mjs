@@ -23,6 +23,13 @@ function wordsOf(picture) {
   };
 }
 
+/** The words of a story of one observer, which is no enemy and counts no goals. */
+const ofOne = ({ step, adversarial, ...rest }) => ({
+  ...rest,
+  step: step.replace(/ Possible goals:.*$/s, ""),
+  adversarial: adversarial.replace("The enemy believes", "The observer believes").replace(/, with the goals.*$/s, "."),
+});
+
 /** The poster of a step of a plan: its HTML, and the pictures that it shows, by file name. */
 export function poster(name, plan, step, boards) {
   const problem = new Problem(documentOf(name));
@@ -33,14 +40,17 @@ export function poster(name, plan, step, boards) {
     files.set(called, problem.picture(actions, { step, board, theme, captions: false }));
     return `./figures/${called}`;
   };
-  const words = wordsOf(problem.picture(actions, { step }));
+  const all = wordsOf(problem.picture(actions, { step }));
+  const words = boards.length < 3 ? ofOne(all) : all;
   const size = (address) => {
     const [, width, height] = /width="([\d.]+)" height="([\d.]+)"/.exec(files.get(address.split("/").at(-1))) ?? [];
     return `width="${width}" height="${height}"`;
   };
+  const image = (theme, address, alt) =>
+    `<img class="${theme}" src="${address}" alt="${alt}" ${size(address)}${theme === "dark" ? ' loading="lazy"' : ""} />`;
   const pictures = boards.map((board) => {
     const [light, dark] = themes.map((theme) => file(board, theme));
-    return `<div class="board ${board}"><p>${captions[board]}</p><picture><source media="screen and (prefers-color-scheme: dark)" srcset="${dark}" /><img src="${light}" alt="${words[board]}" ${size(light)} /></picture></div>`;
+    return `<div class="board ${board}"><p>${boards.length < 3 && board !== "actor" ? "What the observer believes" : captions[board]}</p>${image("light", light, words[board])}${image("dark", dark, words[board])}</div>`;
   });
   problem.free();
   return {

@@ -135,6 +135,8 @@ test("each link of the text that drives a figure shows the step and the plan tha
       await page.waitForSelector(`${at}[data-gd="${trace.goal_difference}"]`);
       await page.waitForFunction((link) => link?.getAttribute("aria-current") === "step", await link.elementHandle());
       for (const [board, alive] of Object.entries(expected ?? assert.fail())) {
+        // A story of one observer has no other board.
+        if ((await page.locator(`${at} .panel.${board}`).count()) === 0 && figure === "hidden-step") continue;
         const shown = page.locator(`${at} [data-board="${board}"] [data-goal][data-${board}="alive"]`);
         const names = await shown.evaluateAll((goals) => goals.map((goal) => goal.getAttribute("data-goal")));
         assert.deepEqual([...new Set(names)].sort(), [...alive].sort(), `${figure} ${actions} ${step} ${board}`);
@@ -155,6 +157,129 @@ test("the first figure shows one observer", () =>
       [true, true, false],
     );
   }));
+
+test("the first figure speaks of one observer, before goals are counted, and so does its poster", () =>
+  read(async (page) => {
+    const poster = (await page.locator("#hidden-step div.poster").innerHTML()).replaceAll(/src="[^"]*"/g, "");
+    assert.match(poster, /What the observer believes/);
+    assert(!/enemy|friend|goal/i.test(poster), poster);
+    await live(page, "hidden-step");
+    for (const step of [1, 3]) {
+      await page.locator(`a[data-mo-copp-for="hidden-step"][data-mo-copp-set-step="${step}"]`).first().click();
+      await page.waitForSelector(`#hidden-step[data-step="${step}"]`);
+      const words = await page.locator("#hidden-step .stage").innerText();
+      assert.match(words, /What the observer believes/);
+      assert(!/enemy|friend|possible|difference/i.test(words), words);
+    }
+  }));
+
+for (const [width, height, links] of [
+  [1280, 800, ['[data-mo-copp-for="price"]', '[data-mo-copp-for="survivors"][data-mo-copp-set-step="1"]']],
+  [390, 844, ['[data-mo-copp-for="hidden-step"]', '[data-mo-copp-for="delivery"]', '[data-mo-copp-for="price"]']],
+] as const)
+  test(`a figure that a sentence drives comes into sight, and there is a way back, ${width} by ${height}`, () =>
+    read(
+      async (page) => {
+        for (const selector of links) {
+          const link = page.locator(`a${selector}`).last();
+          const name = (await link.getAttribute("data-mo-copp-for")) ?? "";
+          await live(page, name);
+          // The last line that can be seen.
+          await link.evaluate((part) => part.scrollIntoView({ block: "end" }));
+          await link.focus();
+          await page.keyboard.press("Enter");
+          const seen = () =>
+            page.locator(`#${name}`).evaluate((figure) => {
+              const { top, bottom, height } = figure.getBoundingClientRect();
+              return (Math.min(bottom, innerHeight) - Math.max(top, 0)) / Math.min(height, innerHeight);
+            });
+          assert((await seen()) > 0.74, `${name}: ${await seen()}`);
+          const back = page.getByRole("button", { name: "Back to the text" });
+          const hidden = await link.evaluate((part) => part.getBoundingClientRect().top > innerHeight);
+          if (!hidden) continue;
+          await back.waitFor();
+          await page.keyboard.press("Tab");
+          assert(await back.evaluate((button) => document.activeElement === button));
+          await page.keyboard.press("Enter");
+          assert(await link.evaluate((part) => document.activeElement === part));
+          const top = await link.evaluate((part) => part.getBoundingClientRect().top);
+          assert(top >= 0 && top < height, `${name}: ${top}`);
+          assert.equal(await back.count(), 0);
+        }
+      },
+      { viewport: { width, height }, reducedMotion: "reduce" },
+    ));
+
+test("no letter of a formula is left to a variant that browsers pass over", () =>
+  read(async (page) => {
+    const variants = await page
+      .locator("math [mathvariant]")
+      .evaluateAll((parts) => parts.map((part) => part.getAttribute("mathvariant")));
+    assert.deepEqual([...new Set(variants)], ["normal"]);
+    const letters = await page.locator("math mi").allTextContents();
+    for (const letter of ["𝒢", "ℬ", "𝒪", "𝒯"]) assert(letters.includes(letter), letter);
+  }, unscripted));
+
+test("no words of the drawings lie on arrows, and no walk of the table is broken word by word", () =>
+  read(async (page) => {
+    const covered = await page.locator(".automaton svg").evaluateAll((drawings) =>
+      drawings.flatMap((drawing) => {
+        const boxes = [...drawing.querySelectorAll<SVGGraphicsElement>("text.row, text.value")].map((text) => ({
+          text: text.textContent,
+          box: text.getBBox(),
+        }));
+        const arcs = [...drawing.querySelectorAll<SVGPathElement>(".arc")];
+        const heads = 7;
+        return boxes.filter(({ box }) =>
+          arcs.some((arc) =>
+            Array.from({ length: 41 }, (_, part) => arc.getPointAtLength((arc.getTotalLength() * part) / 40)).some(
+              ({ x, y }) =>
+                x > box.x - heads && x < box.x + box.width + heads && y > box.y && y < box.y + box.height - 2,
+            ),
+          ),
+        );
+      }),
+    );
+    assert.deepEqual(covered, []);
+    const left = await page.locator(".automaton svg text.row").evaluateAll(
+      (texts) =>
+        texts.filter((text) => {
+          const nodes = text.parentElement?.querySelectorAll<SVGGraphicsElement>(".frame") ?? [];
+          const { x, width } = (text as SVGGraphicsElement).getBBox();
+          return [...nodes].some((node) => node.getBBox().x < x + width);
+        }).length,
+    );
+    assert.equal(left, 0);
+    const lines = await page.locator('.beside th[scope="row"] a').evaluateAll((links) =>
+      links.map((link) => ({
+        words: link.textContent?.split(" ").length ?? 0,
+        lines: new Set([...link.getClientRects()].map(({ top }) => Math.round(top))).size,
+      })),
+    );
+    for (const { words, lines: count } of lines)
+      assert(count <= Math.ceil(words / 2), `${words} words, ${count} lines`);
+  }, unscripted));
+
+test("in print the pictures are the light ones, and there at once", () =>
+  read(
+    async (page) => {
+      await page.waitForLoadState("networkidle");
+      await page.emulateMedia({ media: "print", colorScheme: "dark" });
+      const shown = await page
+        .locator(".poster img")
+        .evaluateAll((images) =>
+          (images as HTMLImageElement[])
+            .filter((image) => image.checkVisibility())
+            .map(({ currentSrc, complete, naturalWidth }) => ({ currentSrc, there: complete && naturalWidth > 0 })),
+        );
+      assert(shown.length >= 26, `${shown.length} pictures`);
+      assert.deepEqual(
+        shown.filter(({ currentSrc, there }) => !there || !currentSrc.endsWith("-light.svg")),
+        [],
+      );
+    },
+    { colorScheme: "dark" },
+  ));
 
 test("the automaton grows by the keyboard and says what it has come to", () =>
   read(async (page) => {
@@ -322,7 +447,7 @@ test("without scripts there is a picture of each figure, with words", () =>
     const [first] = await page
       .locator("#hidden-step .adversarial img")
       .evaluateAll((images) => images.map((image) => (image as HTMLImageElement).alt));
-    assert.match(first ?? "", /The enemy believes 4 states possible/);
+    assert.match(first ?? "", /The observer believes 4 states possible/);
     assert.equal(
       await page
         .locator(".poster")
@@ -351,10 +476,13 @@ test("in print the automaton is whole and figures show their end, and after it a
       addEventListener("beforeprint", () => {
         const steps = ["head-fake", "price"].map((id) => document.getElementById(id)?.dataset.step);
         document.body.dataset.printed = [document.querySelectorAll("svg .later").length, ...steps].join(" ");
+        document.body.dataset.said = document.querySelector(".grows .said")?.textContent ?? "";
       });
     });
     const pdf = await page.pdf({ format: "A4" });
     assert.equal(await page.locator("body").getAttribute("data-printed"), "0 6 6");
+    assert.match((await page.locator("body").getAttribute("data-said")) ?? "", /^5 steps: /);
+    assert.match((await page.locator(".grows .said").textContent()) ?? "", /^Start: /);
     assert.equal(await later(), before);
     await page.waitForSelector('#head-fake[data-step="0"]');
     assert.deepEqual(await steps(), ["0", "6"]);

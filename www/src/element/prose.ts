@@ -2,6 +2,7 @@
 // `data-mo-copp-for` names the playground by its id, `data-mo-copp-set-…` what a click sets (step, plan, problem …), and
 // `data-mo-copp-show` what is shown or, in a field, shown and set.
 import { shortNumber } from "../view/numbers.js";
+import { bringIntoView, isSeen } from "./into-view.js";
 
 const FOR = "data-mo-copp-for";
 const SET = "data-mo-copp-set-";
@@ -44,7 +45,8 @@ export function followInProse(host: HTMLElement, wake: () => void): () => void {
     event.preventDefault();
     set(host, wanted);
     wake();
-    bringIntoSight(host);
+    // What was done is to be seen.
+    if (!isSeen(host)) bringIntoView(host);
   };
   const typed = (event: Event) => {
     const part = partOf(event, parts());
@@ -88,17 +90,6 @@ const isForBrowser = ({ ctrlKey, metaKey, shiftKey, altKey }: MouseEvent): boole
 /** A number that is being typed: the field is empty or holds what it does not allow. */
 const isUnfinished = (field: HTMLInputElement): boolean =>
   field.type === "number" && (field.value === "" || !field.validity.valid);
-
-/** Brings what a click changed into sight, where less than half of it that could be seen is. */
-function bringIntoSight(host: HTMLElement): void {
-  const look = new IntersectionObserver(([seen]) => {
-    look.disconnect();
-    if (seen === undefined) return;
-    const whole = Math.min(seen.boundingClientRect.height, seen.rootBounds?.height ?? innerHeight);
-    if (!seen.isIntersecting || seen.intersectionRect.height < whole / 2) host.scrollIntoView({ block: "nearest" });
-  });
-  look.observe(host);
-}
 
 const partOf = (event: Event, parts: readonly HTMLElement[]): HTMLElement | undefined =>
   parts.find((part) => event.composedPath().includes(part));

@@ -8,7 +8,18 @@ import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
 
 /** The parts that can be left out, by `hide`. */
-export const parts = ["gallery", "share", "tools", "stepper", "legend", "workbench", "goals"] as const;
+export const parts = [
+  "gallery",
+  "share",
+  "tools",
+  "stepper",
+  "legend",
+  "workbench",
+  "goals",
+  "enemy",
+  "friend",
+  "counts",
+] as const;
 export type Part = (typeof parts)[number];
 
 export interface Settings {

@@ -318,11 +318,13 @@ export class View {
     const share = () =>
       hidden.has("share") ? nothing : html`${pictureButton(playground, () => schemeOf(this.host))} ${link()}`;
     // Parts that the tour speaks of may be left out; of several playgrounds the first has it.
-    const toured = this.sharing && !["gallery", "stepper", "workbench"].some((part) => hidden.has(part));
+    const toured =
+      this.sharing &&
+      !["gallery", "stepper", "workbench", "enemy", "friend", "counts"].some((part) => hidden.has(part));
     return html`
       <div class="sheet-top">
         ${show("gallery", () => held(playground, () => problemBar(playground, share())))} ${show("tools", () => toolbar(playground))}
-        ${stage(toured ? this.onStage.toured : this.onStage.alone)}
+        ${stage(toured ? this.onStage.toured : this.onStage.alone, hidden)}
       </div>
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
       ${

@@ -10,10 +10,12 @@ export function grows(drawing: HTMLElement): void {
   said.className = "said";
   said.setAttribute("role", "status");
   let shown = 0;
-  /** Draws the rows up to one, and no room for those after it. */
+  /** Draws the rows up to one, says what they come to, and leaves no room for those after it. */
   const draw = (last: number) => {
     for (const [index, row] of rows.entries()) row.classList.toggle("later", index > last);
     svg.setAttribute("viewBox", `0 0 ${across} ${rows[last]?.dataset.down}`);
+    const { said: words, known } = rows[last]?.dataset ?? {};
+    said.textContent = `${words}. Different nodes so far: ${known}.`;
   };
   const go = (by: number) => {
     shown = Math.min(Math.max(shown + by, 0), rows.length - 1);
@@ -21,8 +23,6 @@ export function grows(drawing: HTMLElement): void {
     // They stay where the focus is.
     back.setAttribute("aria-disabled", String(shown === 0));
     on.setAttribute("aria-disabled", String(shown === rows.length - 1));
-    const { said: words, known } = rows[shown]?.dataset ?? {};
-    said.textContent = `${words}. Different nodes so far: ${known}.`;
   };
   const back = button("Back one step", () => go(-1));
   const on = button("Grow one step", () => go(1));

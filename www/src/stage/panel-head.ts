@@ -20,9 +20,10 @@ const heads: Record<BoardName, [icon: TemplateResult, title: string]> = {
   cooperative: [friendEye, "What the friend believes"],
 };
 
-export function panelHead(name: BoardName, playground: PanelHeadStores): TemplateResult {
+/** `alone`: there is one observer, who is neither enemy nor friend. */
+export function panelHead(name: BoardName, playground: PanelHeadStores, alone: boolean): TemplateResult {
   const [icon, title] = heads[name];
-  return html`<h2>${icon}${title}</h2>
+  return html`<h2>${icon}${alone && name !== "actor" ? "What the observer believes" : title}</h2>
     <p class="latest">${now(name, playground)}</p>`;
 }
 
@@ -35,5 +36,5 @@ function now(name: BoardName, { timeline, boards: { mode } }: PanelHeadStores): 
     return html`${who} did <b title=${shown.action}>${actionText(shown.action)}</b>.`;
   }
   const symbol = shown.symbols[name];
-  return symbol === null ? "Has seen nothing yet." : html`Was told <b title=${named(symbol)}>${visible(symbol)}</b>.`;
+  return symbol === null ? "Was told nothing yet." : html`Was told <b title=${named(symbol)}>${visible(symbol)}</b>.`;
 }

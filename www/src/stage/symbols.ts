@@ -20,13 +20,14 @@ const labels: Record<BoardName, string> = {
   cooperative: "What the friend was told so far",
 };
 
-export function symbols(name: BoardName, playground: SymbolStores): TemplateResult {
+/** `alone`: there is one observer, who is neither enemy nor friend. */
+export function symbols(name: BoardName, playground: SymbolStores, alone: boolean): TemplateResult {
   const { trace, step } = playground.timeline;
   const of = (shown: TraceStep) => (name === "actor" ? actionText(shown.action) : visible(shown.symbols[name] ?? ""));
   const steps = trace.value?.steps.slice(1) ?? [];
   // As the enemy one sees what has come, not what will.
   const seen = playground.boards.mode.value === "guess" ? steps.slice(0, step.value) : steps;
-  return html`<ol class="symbols" aria-label=${labels[name]}>
+  return html`<ol class="symbols" aria-label=${alone && name !== "actor" ? "What the observer was told so far" : labels[name]}>
     ${seen.map((shown, index) => {
       const at = index + 1;
       const when = at === step.value ? "now" : at < step.value ? "past" : "future";
