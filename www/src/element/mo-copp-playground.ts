@@ -7,10 +7,18 @@ import { followInProse } from "./prose.js";
 import { Theme } from "./theme.js";
 import type { View } from "./view.js";
 
-/** What there is before the view: room for it, so that playgrounds that wait for their turn are not all in sight. */
+/**
+ * What there is before the view: room for it, so that playgrounds that wait for their turn are not all in sight.
+ *
+ * What is drawn goes by the width that it has, and so has none of its own. Where the box around it is as wide as what
+ * is in it, an unseen line of text gives it one: it is as long as a playground is wide, and breaks where there is less.
+ */
 const frame = `
 :host { display: block; }
 :host([hidden]) { display: none !important; }
+.width { all: initial; display: block; height: 0; overflow: hidden; visibility: hidden; font-size: inherit;
+  word-spacing: max(10rem, min(60 * var(--mo-copp-font-size, max(1rem, 13px)), 100cqi - 2rem)); }
+.width::before { content: "- -"; display: block; min-width: 10rem; font: 1px/0 sans-serif; }
 .mo-copp-part { all: initial; display: block; visibility: inherit; pointer-events: inherit; }
 .mo-copp-part.waiting { min-height: 30rem; }
 .mo-copp-part.waiting.has-poster { display: none; }
@@ -130,7 +138,9 @@ export class MoCoppPlayground extends PlaygroundElement {
     root.classList.toggle("has-poster", poster);
     this.slotted = document.createElement("slot");
     this.slotted.className = "poster";
-    shadow.append(this.slotted, root);
+    const width = document.createElement("div");
+    width.className = "width";
+    shadow.append(width, this.slotted, root);
     this.root = root;
     this.theme = new Theme(this, root, true);
     return root;
