@@ -1,7 +1,9 @@
 // The element as a guest: in pages of other people, which have styles, keys, themes and plans of their own.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
+import { attributes } from "../../www/src/element/attributes.js";
 import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
 import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
@@ -182,6 +184,12 @@ test("the element's children stand for it until it runs, and where it can't", ()
       await again.waitFor();
       assert(await page.locator("#poster").isVisible());
       assert.equal(await page.locator("#one").getAttribute("data-status"), "error");
+      // It is as ready as it gets, and its methods say why they can't.
+      const refused = await page.locator("#one").evaluate(async (element) => {
+        await (element as MoCoppPlayground).ready;
+        return (element as MoCoppPlayground).goTo(1).catch((error: Error) => error.message);
+      });
+      assert.equal(refused, "The playground could not be loaded.");
       await page.unroute("**/shadow-view-*.js");
       await lesson(page, poster);
       await ready(page);
@@ -362,4 +370,157 @@ test("links, fields and numbers in the prose drive the playground and follow it"
     await ready(page, '[data-step="2"]');
     await page.locator("#other").click();
     await ready(page, '[data-step="1"]');
+  }));
+
+test("each attribute is a property that reflects it, and no other name of the element is one of theirs", () =>
+  visit(async ({ page }) => {
+    const guide = readFileSync(new URL("../../docs/embedding.md", import.meta.url), "utf8");
+    const tables = guide.match(/^\| attribute \|.*\n(?:\|.*\n)+/gm) ?? [];
+    const names = tables.flatMap((table) =>
+      [...table.matchAll(/^\| (`[^|]+) \|/gm)].flatMap(([, cell = ""]) => cell.match(/[a-z-]+/g) ?? []),
+    );
+    assert.deepEqual(names.sort(), [...attributes].sort());
+    await lesson(page, "");
+    await page.waitForFunction(() => customElements.get("mo-copp-playground") !== undefined);
+    const wrong = await page.evaluate((names) => {
+      const element = document.createElement("mo-copp-playground");
+      const wrong: string[] = [];
+      for (const name of names) {
+        const property = name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
+        const holders: object[] = [];
+        for (let at: object = element; at !== HTMLElement.prototype; at = Object.getPrototypeOf(at))
+          if (Object.hasOwn(at, property)) holders.push(at);
+        const { get, set } = Object.getOwnPropertyDescriptor(holders[0] ?? {}, property) ?? {};
+        if (holders.length !== 1 || !get || !set) wrong.push(`${name}: ${holders.length}`);
+        const flag = name === "watch";
+        const nothing = flag ? false : null;
+        if (Reflect.get(element, property) !== nothing) wrong.push(`${name} at first`);
+        element.setAttribute(name, "2");
+        if (Reflect.get(element, property) !== (flag ? true : "2")) wrong.push(`${name} does not follow its attribute`);
+        Reflect.set(element, property, flag ? false : 3);
+        if (element.getAttribute(name) !== (flag ? null : "3")) wrong.push(`${name} does not set its attribute`);
+        Reflect.set(element, property, undefined);
+        if (element.hasAttribute(name) || Reflect.get(element, property) !== nothing)
+          wrong.push(`${name} is not taken away`);
+      }
+      // What is the element's own business has names that nobody meets.
+      const own = Object.getOwnPropertyNames(element);
+      if (own.join() !== "ready") wrong.push(`its own: ${own}`);
+      Reflect.set(element, "exercise", { kind: "best" });
+      Reflect.set(element, "plan", ["north", "east"]);
+      return [...wrong, element.getAttribute("exercise"), element.getAttribute("plan")];
+    }, names);
+    assert.deepEqual(wrong, ['{"kind":"best"}', "north,east"]);
+  }));
+
+test("what a framework sets before there is an element, or before it is in the page, counts", () =>
+  visit(async ({ page }) => {
+    await page.route("**/mo-copp-playground.js", async (route) => {
+      await page.waitForFunction(() => "early" in window);
+      await route.continue();
+    });
+    await lesson(
+      page,
+      `<mo-copp-playground id="one" link="off"></mo-copp-playground>
+       <p style="height: 4000px"></p><mo-copp-playground id="two" link="off"></mo-copp-playground>
+       <script>
+         Object.assign(document.querySelector("#one"), { document: ${grid()}, step: 1, plan: ["north", "north"], theme: "dark" });
+         document.querySelector("#two").loading = "lazy";
+         window.early = true;
+       </script>`,
+    );
+    await page.waitForSelector('#one[data-step="1"][data-scheme=dark]');
+    const element = (selector: string) => page.locator(selector);
+    const plan = await element("#one").evaluate((one) => (one as MoCoppPlayground).state?.plan);
+    assert.deepEqual(plan, ["north", "north"]);
+    assert.equal(await element("#two").getAttribute("data-status"), "idle");
+    // The way of React 19 and of anywidget: made, set, and only then put into the page.
+    const read = await page.evaluate((text) => {
+      const made = document.createElement("mo-copp-playground") as MoCoppPlayground;
+      const given = { id: "three", link: "off", step: 1, solver: "search", k: 1, j: 2, document: JSON.parse(text) };
+      for (const [name, value] of Object.entries(given)) {
+        if (name in made) Reflect.set(made, name, value);
+        else made.setAttribute(name, String(value));
+      }
+      document.body.prepend(made);
+      return made.document;
+    }, grid());
+    assert.deepEqual(read, JSON.parse(grid()));
+    await page.waitForSelector('#three[data-status=solved][data-step="1"]');
+    assert.equal(await element("#three").getByLabel("Solver").inputValue(), "search");
+    // Later on as well: what was set is what is read, at once, and attributes are of that document from then on.
+    const later = await element("#three").evaluate(
+      (three, text) => {
+        const playground = three as MoCoppPlayground;
+        playground.document = text as unknown as MoCoppPlayground["document"];
+        return (playground.document as { width?: number } | null)?.width;
+      },
+      grid({ width: 6 }),
+    );
+    assert.equal(later, 6);
+    const board = element('#three [data-board=actor] [data-cell="5,0"]');
+    await board.waitFor({ state: "attached" });
+    await element("#three").evaluate((three) => Object.assign(three, { solver: "exact", step: null }));
+    await page.waitForSelector("#three[data-status=optimal]");
+    assert.equal(await board.count(), 1);
+    await element("#three").evaluate((three) =>
+      Object.assign(three, { problem: "corridor", solver: null, k: null, j: null }),
+    );
+    await page.waitForSelector('#three[data-status=optimal][data-step="5"]');
+  }));
+
+test("methods reject with a sentence what can't be used, and change nothing by it", () =>
+  visit(async ({ page }) => {
+    await lesson(page, one);
+    await ready(page, '[data-step="5"]');
+    const said = await page.evaluate<{
+      refused: string[];
+      before: DOMStringMap;
+      done: string[];
+      step: string;
+    }>(`(async () => {
+      const playground = document.querySelector("#one");
+      const apart = document.createElement("mo-copp-playground");
+      const told = async (promises) => (await Promise.allSettled(promises)).map(({ reason }) => String(reason ?? "did"));
+      const refused = await told([
+        ...["abc", NaN, 1.5, null].map((step) => playground.goTo(step)),
+        playground.solve({ solver: "nonsense" }),
+        playground.solve({ encoding: "toString" }),
+        playground.solve({ k: "x" }),
+        playground.solve({ k: 99 }),
+        apart.goTo(1),
+        apart.toSVG(),
+        apart.solve(),
+      ]);
+      const before = { ...playground.dataset };
+      // The core's own word; what it is said of is forgotten.
+      refused.push(...(await told([playground.solve({ k: 0 })])));
+      const done = [];
+      for (const call of [
+        () => playground.solve({ solver: "ip", horizon: 5 }),
+        () => playground.solve(null),
+        () => playground.toSVG(null),
+        () => playground.goTo(Infinity),
+        () => playground.goTo("2"),
+      ]) done.push(...(await told([call()])));
+      await new Promise(requestAnimationFrame);
+      return { refused, before, done, step: playground.dataset.step };
+    })()`);
+    const sentence = /^Error: (?!.*undefined).+ .+/;
+    for (const text of said.refused) assert.match(text, sentence);
+    assert.match(said.refused[0] ?? "", /“abc” is no step; expected a whole number from 0 to 5/);
+    assert.match(said.refused[4] ?? "", /“nonsense” can’t be used as the solver; expected exact, ip/);
+    assert.match(said.refused[6] ?? "", /k must be a whole number; found “x”/);
+    assert.deepEqual([said.before.status, said.before.step], ["optimal", "5"]);
+    assert.deepEqual(said.done, ["did", "did", "did", "did", "did"]);
+    assert.equal(said.step, "2");
+    assert.equal(
+      await page
+        .locator("#one")
+        .getByRole("alert")
+        .first()
+        .textContent()
+        .then((text) => text?.trim()),
+      "",
+    );
   }));

@@ -1,4 +1,4 @@
-// The attributes of the element that are followed live. No code but their names: the element's script stays small.
+// The attributes of the element. No code but their names: the element's script stays small.
 import type { settingNames } from "./settings.js";
 
 type Setting = (typeof settingNames)[number];
@@ -20,4 +20,10 @@ const manners = ["hide", "link", "theme", "keys"] as const;
 /** What an exercise is asked with. */
 const questions = ["exercise", "seed", "student"] as const;
 
+/** Followed live. */
 export const followed: readonly string[] = [...Object.keys(settings), ...manners, ...questions];
+
+/** Looked at once: when the element comes into the page, when its form is sent, when the first one starts the core. */
+const once = ["name", "watch", "loading", "worker-url", "wasm-url"] as const;
+
+export const attributes: readonly string[] = [...followed, ...once];

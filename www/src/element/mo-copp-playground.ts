@@ -40,7 +40,8 @@ slot.poster { display: contents; }
  * @attr {string} problem - The name of a problem of the gallery.
  * @attr {string} plan - The title of one of that problem's plans, or actions separated by commas.
  * @attr {number} step - The step to begin with.
- * @attr {"exact"|"ip"|"search"|"baseline"|"obfuscate"|"legible"} solver - The solver.
+ * @attr {boolean} watch - The first problem opens at its first step, with an invitation to watch.
+ * @attr {"exact"|"ip"|"satisficing"|"search"|"baseline"|"obfuscate"|"legible"} solver - The solver.
  * @attr {number} k - At least so many goals are possible for the enemy at the end.
  * @attr {number} j - At most so many goals are possible for the friend at the end.
  * @attr {string} horizon - Plans of so many actions; `any` for all lengths.
@@ -96,34 +97,34 @@ slot.poster { display: contents; }
  * @cssprop --mo-copp-focus - The ring around what has the focus.
  */
 export class MoCoppPlayground extends PlaygroundElement {
-  private root: HTMLElement | null = null;
-  private slotted: HTMLElement | null = null;
-  private theme: Theme | null = null;
-  private stopFollowing: (() => void) | null = null;
+  #root: HTMLElement | null = null;
+  #slotted: HTMLElement | null = null;
+  #theme: Theme | null = null;
+  #stopFollowing: (() => void) | null = null;
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.stopFollowing ??= followInProse(this, () => void this.show());
-    this.theme?.connect();
+    this.#stopFollowing ??= followInProse(this, () => void this.show());
+    this.#theme?.connect();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.stopFollowing?.();
-    this.stopFollowing = null;
-    this.theme?.disconnect();
+    this.#stopFollowing?.();
+    this.#stopFollowing = null;
+    this.#theme?.disconnect();
   }
 
   override attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     super.attributeChangedCallback(name, before, after);
-    if (name === "theme") this.theme?.update();
+    if (name === "theme") this.#theme?.update();
   }
 
   protected override makeRoot(): HTMLElement {
-    if (this.root !== null) return this.root;
+    if (this.#root !== null) return this.#root;
     if (this.getAttribute("root") === "page") {
-      this.root = this;
-      this.theme = new Theme(this, this, false);
+      this.#root = this;
+      this.#theme = new Theme(this, this, false);
       return this;
     }
     const shadow = this.attachShadow({ mode: "open" });
@@ -136,30 +137,31 @@ export class MoCoppPlayground extends PlaygroundElement {
     // The page's own children of the element stand for the picture until there is one, and where there can be none.
     const poster = [...this.children].some((child) => !(child instanceof HTMLScriptElement));
     root.classList.toggle("has-poster", poster);
-    this.slotted = document.createElement("slot");
-    this.slotted.className = "poster";
+    this.#slotted = document.createElement("slot");
+    this.#slotted.className = "poster";
     const width = document.createElement("div");
     width.className = "width";
-    shadow.append(width, this.slotted, root);
-    this.root = root;
-    this.theme = new Theme(this, root, true);
+    shadow.append(width, this.#slotted, root);
+    this.#root = root;
+    this.#theme = new Theme(this, root, true);
     return root;
   }
 
   protected override async load(): Promise<typeof View> {
-    if (this.root === this) return (await import("./view.js")).View;
+    if (this.#root === this) return (await import("./view.js")).View;
     const { View, styles } = await import("./shadow-view.js");
     const shadow = this.shadowRoot;
     if (shadow !== null) for (const [name, text] of styles) adopt(shadow, name, text);
-    this.root?.replaceChildren();
+    this.#root?.replaceChildren();
     return View;
   }
 
   protected override shown(): void {
     super.shown();
-    this.root?.classList.remove("waiting", "has-poster");
+    this.#root?.classList.remove("waiting", "has-poster");
     // Where nothing could be drawn, the poster stays beside the word of why.
-    if (this.slotted !== null && this.root?.querySelector("[data-board], .stage") !== null) this.slotted.className = "";
+    if (this.#slotted !== null && this.#root?.querySelector("[data-board], .stage") !== null)
+      this.#slotted.className = "";
   }
 
   protected override failed(again: () => void): void {
@@ -171,8 +173,8 @@ export class MoCoppPlayground extends PlaygroundElement {
     text.className = "failure";
     text.setAttribute("role", "alert");
     text.append("The playground could not be loaded. Check the connection, then try again. ", button);
-    this.root?.replaceChildren(text);
-    this.root?.classList.remove("waiting", "has-poster");
+    this.#root?.replaceChildren(text);
+    this.#root?.classList.remove("waiting", "has-poster");
     this.dataset.status = "error";
   }
 }

@@ -7,6 +7,7 @@ import type { SharedState } from "../share/shared-state.js";
 import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
 import { followed } from "./attributes.js";
+import { reflect, reflected } from "./reflected.js";
 import type { SvgOptions } from "./svg-options.js";
 import type { View, Wanted } from "./view.js";
 import { whenNear, whenParsed } from "./when.js";
@@ -27,71 +28,84 @@ export abstract class PlaygroundElement extends Base {
   /** Settles once the first picture is drawn, or cannot be. */
   readonly ready: Promise<this>;
 
-  private view: View | null = null;
-  private settleReady: () => void = () => {};
+  // Names that nobody outside meets: a framework sets a property wherever the element has one of an attribute's name.
+  #view: View | null = null;
+  #settleReady: () => void = () => {};
+  #settleDrawn: () => void = () => {};
+  readonly #drawn: Promise<void>;
   /** What was set before there was a view. */
-  private readonly wanted: Wanted = { document: null, state: null };
-  private loading: Promise<void> | null = null;
-  private stopWaiting: (() => void) | null = null;
+  readonly #wanted: Wanted = { document: null, state: null };
+  #begun: Promise<void> | null = null;
+  #stopWaiting: (() => void) | null = null;
 
   /** What a form is told by. */
-  private readonly internals: ElementInternals | undefined;
+  readonly #internals: ElementInternals | undefined;
 
   constructor() {
     super();
-    this.internals = this.attachInternals?.();
+    this.#internals = this.attachInternals?.();
+    this.#drawn = new Promise((resolve) => {
+      this.#settleDrawn = resolve;
+    });
     this.ready = new Promise((resolve) => {
-      this.settleReady = () => resolve(this);
+      this.#settleReady = () => resolve(this);
     });
   }
 
-  /** The problem document that is open. Set, as an object or as its text, it is opened. */
+  static {
+    reflect(PlaygroundElement.prototype);
+  }
+
+  /** The problem document that is open, or is being opened. Set, as an object or as its text, it is opened. */
   get document(): ProblemDocument | null {
-    return this.view?.document ?? null;
+    return this.#view === null ? documentIn(this.#wanted.document) : this.#view.document;
   }
 
   set document(value: ProblemDocument | string | null) {
-    if (value === null) return;
+    if (value === null || value === undefined) return;
     const text = typeof value === "string" ? value : JSON.stringify(value);
-    if (this.view === null) Object.assign(this.wanted, { document: text, state: null });
-    else void this.view.openDocument(text);
+    if (this.#view === null) Object.assign(this.#wanted, { document: text, state: null });
+    else void this.#view.openDocument(text);
   }
 
   /** All that a link would hold: problem, options, plan, step, open tab. Kept and set again, the playground is as it was. */
   get state(): SharedState | null {
-    return this.view?.state ?? null;
+    if (this.#view !== null) return this.#view.state;
+    return this.#wanted.state === null ? null : JSON.parse(this.#wanted.state);
   }
 
   set state(value: SharedState | null) {
-    if (value === null) return;
+    if (value === null || value === undefined) return;
     const text = JSON.stringify(value);
-    if (this.view === null) this.wanted.state = text;
-    else void this.view.openState(text);
+    if (this.#view === null) Object.assign(this.#wanted, { document: null, state: text });
+    else void this.#view.openState(text);
   }
 
-  /** Shows a step; one beyond the last is the last. */
+  /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number. */
   async goTo(step: number): Promise<void> {
-    (await this.drawn()).goTo(step);
+    (await this.#whenDrawn()).goTo(step);
   }
 
   /** Solves the open problem. Rejects with a sentence where the options do not fit or the solver was lost. */
-  async solve(options: Partial<SolveOptions> = {}): Promise<Answered> {
-    return (await this.drawn()).solve(options);
+  async solve(options: Partial<SolveOptions> | null = {}): Promise<Answered> {
+    return (await this.#whenDrawn()).solve(options ?? {});
   }
 
   /**
    * The step shown as the text of an SVG picture, the same as `mo-copp picture` writes; with `walk` all steps, animated.
    * Rejects with a sentence where there is nothing to draw, or an option does not fit.
    */
-  async toSVG(options: SvgOptions = {}): Promise<string> {
-    return (await this.drawn()).toSVG(options);
+  async toSVG(options: SvgOptions | null = {}): Promise<string> {
+    return (await this.#whenDrawn()).toSVG(options ?? {});
   }
 
-  private async drawn(): Promise<View> {
+  async #whenDrawn(): Promise<View> {
+    if (this.#view === null && !this.isConnected)
+      throw new Error("The playground is not in the page yet: nothing is drawn before.");
     await this.show();
-    if (this.view === null) throw new Error("The playground could not be loaded.");
-    await this.ready;
-    return this.view;
+    if (this.#view === null) throw new Error("The playground could not be loaded.");
+    await this.#drawn;
+    return this.#view;
   }
 
   /** Makes what the playground is drawn into. */
@@ -105,53 +119,75 @@ export abstract class PlaygroundElement extends Base {
 
   /** There is a picture, or word of why there is none. */
   protected shown(): void {
-    this.settleReady();
+    this.#settleDrawn();
+    this.#settleReady();
   }
 
   connectedCallback(): void {
+    this.#takeEarlier();
     this.dataset.status ??= "idle";
-    if (this.view !== null) {
-      this.view.connect();
+    if (this.#view !== null) {
+      this.#view.connect();
       return;
     }
     this.makeRoot();
-    if (this.getAttribute("loading") === "lazy") this.stopWaiting = whenNear(this, () => void this.show());
+    if (this.getAttribute("loading") === "lazy") this.#stopWaiting = whenNear(this, () => void this.show());
     else void this.show();
   }
 
   disconnectedCallback(): void {
-    this.stopWaiting?.();
-    this.stopWaiting = null;
-    this.view?.disconnect();
+    this.#stopWaiting?.();
+    this.#stopWaiting = null;
+    this.#view?.disconnect();
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (before === after) return;
-    this.view?.attributeChanged(name);
+    this.#view?.attributeChanged(name);
   }
 
   /** Loads the view and has it draw, where that has not been done. */
   protected show(): Promise<void> {
-    this.stopWaiting?.();
-    this.stopWaiting = null;
-    if (this.loading !== null) return this.loading;
-    const begun = this.begin(lastBegun);
+    this.#stopWaiting?.();
+    this.#stopWaiting = null;
+    if (this.#begun !== null) return this.#begun;
+    const begun = this.#begin(lastBegun);
     lastBegun = begun.catch(() => undefined);
-    this.loading = begun.catch((error: unknown) => {
-      this.loading = null;
+    this.#begun = begun.catch((error: unknown) => {
+      this.#begun = null;
       this.failed(() => void this.show());
+      this.#settleReady();
       console.error(error);
     });
-    return this.loading;
+    return this.#begun;
   }
 
   /** The first of a page goes first, whichever is loaded first: the page's address and keys are its own. */
-  private async begin(earlier: Promise<void>): Promise<void> {
+  async #begin(earlier: Promise<void>): Promise<void> {
     // The first picture is a turn of its own, not the end of the one that reads the page's code.
     await Promise.all([whenParsed(), nextTurn()]);
     const [Loaded] = await Promise.all([this.load(), earlier]);
-    const keepCode = (code: string | null) => this.internals?.setFormValue(code);
-    this.view = new Loaded(this, this.makeRoot(), { shown: () => this.shown(), keepCode }, this.wanted);
-    if (this.isConnected) this.view.connect();
+    const keepCode = (code: string | null) => this.#internals?.setFormValue(code);
+    this.#view = new Loaded(this, this.makeRoot(), { shown: () => this.shown(), keepCode }, this.#wanted);
+    if (this.isConnected) this.#view.connect();
+  }
+
+  /** What a script set before the element was one: then it hides what the element does with it. */
+  #takeEarlier(): void {
+    for (const name of [...reflected, "document", "state"]) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value: unknown = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
+    }
+  }
+}
+
+/** What a text says, where it is a document's. */
+function documentIn(text: string | null): ProblemDocument | null {
+  try {
+    return text === null ? null : JSON.parse(text);
+  } catch {
+    return null;
   }
 }

@@ -25,6 +25,7 @@ import { type StageStores, stage } from "../stage/stage.js";
 import { stepper } from "../stage/stepper.js";
 import { followSymbols } from "../stage/symbols.js";
 import { optionsOf } from "../state/form.js";
+import { fitted } from "../state/numbers.js";
 import { followRow } from "../steps/follow-row.js";
 import { cross } from "../view/icons.js";
 import { LazyPanel } from "../workbench/lazy-panel.js";
@@ -48,6 +49,7 @@ import {
   settingsOf,
   settle,
 } from "./settings.js";
+import { changeOf } from "./solve-options.js";
 import { pictureOptions, type SvgOptions } from "./svg-options.js";
 import { followScheme, schemeOf } from "./theme.js";
 
@@ -64,6 +66,8 @@ export interface Wanted {
   document: string | null;
   state: string | null;
 }
+
+const nothingGiven: Wanted = { document: null, state: null };
 
 /** What the element is told. */
 interface Told {
@@ -98,6 +102,10 @@ export class View {
   /** How often they were followed: work that is still under way then knows that other attributes came after. */
   private followed = 0;
   private following = false;
+  /** The document that a script gave last: it stands for the element's own until another address is asked for. */
+  private given: string | null = null;
+  /** What a script gave and is on its way. */
+  private pending: Wanted;
   /** What the attributes ask for could not be loaded. */
   private readonly unreachable = signal(false);
 
@@ -105,8 +113,9 @@ export class View {
     private readonly host: HTMLElement,
     private readonly root: HTMLElement,
     private readonly told: Told,
-    private readonly first: Wanted,
+    first: Wanted,
   ) {
+    this.pending = first;
     this.address = new Address(this.playground);
     this.copier = new LinkCopier(this.address);
     this.drops = new DropTarget(this.playground);
@@ -155,57 +164,76 @@ export class View {
 
   get document(): ProblemDocument | null {
     const { exercise, problem } = this.playground;
+    const pending = parsed(this.pending.document);
+    if (pending !== null) return pending as ProblemDocument;
     const asked = exercise.posed.value;
     return asked === null ? (problem.document.value?.value ?? null) : JSON.parse(asked.text);
   }
 
   get state(): SharedState | null {
-    return stateOf(this.playground);
+    return (parsed(this.pending.state) as SharedState | null) ?? stateOf(this.playground);
   }
 
   /** What was asked for before comes to nothing. */
-  openDocument(text: string): Promise<boolean> {
-    this.followed += 1;
-    this.followQuestion();
-    return this.playground.edits.open(text);
+  openDocument(text: string): Promise<void> {
+    return this.give({ document: text, state: null }, text, () => this.playground.edits.open(text));
   }
 
-  async openState(text: string): Promise<boolean> {
+  openState(text: string): Promise<void> {
+    const { document } = parsed(text) as Partial<SharedState>;
+    return this.give({ document: null, state: text }, document ?? null, async () => {
+      try {
+        return await restore(this.playground, readState(text));
+      } catch (error) {
+        if (!(error instanceof LinkError)) throw error;
+        this.playground.solving.refuse("This state can’t be used: it holds no problem document.");
+        return false;
+      }
+    });
+  }
+
+  private async give(pending: Wanted, document: string | null, open: () => Promise<boolean>): Promise<void> {
     this.followed += 1;
     this.followQuestion();
-    try {
-      return await restore(this.playground, readState(text));
-    } catch (error) {
-      if (!(error instanceof LinkError)) throw error;
-      this.playground.solving.refuse("This state can’t be used: it holds no problem document.");
-      return false;
-    }
+    const before = this.given;
+    this.given = document;
+    this.pending = pending;
+    const opened = await open();
+    if (this.pending !== pending) return;
+    this.pending = nothingGiven;
+    if (!opened && this.given === document) this.given = before;
   }
 
   goTo(step: number): void {
-    this.playground.timeline.goTo(step);
+    const { timeline } = this.playground;
+    // A script may hand over anything.
+    const wanted = Number(String(step).trim() || Number.NaN);
+    if (Number.isNaN(wanted) || (Number.isFinite(wanted) && !Number.isInteger(wanted)))
+      throw new Error(`“${step}” is no step; expected a whole number from 0 to ${timeline.lastStep.value}.`);
+    timeline.goTo(wanted);
   }
 
+  /** Options that can't be used leave the form as it was: the next ones are asked for on their own. */
   async solve(options: Partial<SolveOptions>): Promise<Answered> {
-    const { playground } = this;
-    const { solver, encoding, k, j, horizon } = options;
-    playground.solving.edit({
-      ...(solver === undefined ? {} : { solver }),
-      ...(encoding === undefined ? {} : { encoding }),
-      ...(k === undefined ? {} : { k: String(k) }),
-      ...(j === undefined ? {} : { j: String(j) }),
-      ...(horizon === undefined ? {} : { horizon: horizon === "any" ? "" : String(horizon) }),
-    });
-    const asked = JSON.stringify(optionsOf(playground.form.value));
-    await playground.solving.solve();
-    const { error, result } = playground.answer;
-    if (error.value !== null) throw new Error(error.value);
+    const { answer, form, problem, solving } = this.playground;
+    const before = form.value;
+    const change = changeOf(options);
+    const asked = optionsOf({ ...before, ...change });
+    if (typeof asked === "string") throw new Error(asked);
+    const scene = problem.scene.value;
+    const misfit = `These options do not fit the problem: k and j go from 1 to ${scene?.goals.length}.`;
+    if (scene !== null && fitted({ ...before, ...change }, scene) !== null) throw new Error(misfit);
+    solving.edit(change);
+    const now = form.value;
+    await solving.solve();
+    const { error, result } = answer;
+    if (error.value !== null) {
+      if (form.value === now) form.value = before;
+      throw new Error(error.value);
+    }
     const { options: answered, outcome } = result.value ?? {};
     if (outcome === undefined) throw new Error("Something else was asked for meanwhile.");
-    if (JSON.stringify(answered) !== asked)
-      throw new Error(
-        `These options do not fit the problem: k and j go from 1 to ${playground.problem.scene.value?.goals.length}.`,
-      );
+    if (JSON.stringify(answered) !== JSON.stringify(asked)) throw new Error(misfit);
     return outcome;
   }
 
@@ -216,6 +244,7 @@ export class View {
   attributeChanged(name: string): void {
     this.picture.request();
     if (name === "link") return;
+    if (name === "src" || name === "problem") this.given = null;
     // A page that changes several means all of them at once.
     if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
     this.changed.add(name);
@@ -243,8 +272,10 @@ export class View {
     const now = this.followed;
     this.followQuestion();
     const wanted = () => now === this.followed;
-    const settings = settingsOf(this.host);
-    const settled = await settle(this.playground, settings, inline(this.host) ?? exampleDocument, at, wanted);
+    const asked = settingsOf(this.host);
+    const settings = this.given === null ? asked : { ...asked, src: null, problem: null };
+    const document = this.given ?? inline(this.host) ?? exampleDocument;
+    const settled = await settle(this.playground, settings, document, at, wanted);
     if (wanted()) this.unreachable.value = !settled && settings.src !== null;
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
@@ -271,9 +302,14 @@ export class View {
   private async begin(): Promise<void> {
     this.begun = true;
     this.followQuestion();
-    const { state, document } = this.first;
-    if (document !== null) return void this.openDocument(document);
-    if (state !== null) return void this.openState(state);
+    const { pending } = this;
+    if (pending.state !== null) return void this.openState(pending.state);
+    if (pending.document !== null) {
+      this.given = pending.document;
+      await this.settle(this.opensAt);
+      if (this.pending === pending) this.pending = nothingGiven;
+      return;
+    }
     const opened = this.sharing ? await this.address.read() : null;
     if (opened === true || this.followed > 0) return;
     const { playground } = this;
@@ -375,3 +411,12 @@ export class View {
 /** The document in the element itself: `<script type="application/json">`. */
 const inline = (host: Element): string | null =>
   host.querySelector(":scope > script[type='application/json']")?.textContent ?? null;
+
+/** What a text of a script says; null where it is not JSON. */
+function parsed(text: string | null): unknown {
+  try {
+    return text === null ? null : JSON.parse(text);
+  } catch {
+    return null;
+  }
+}
