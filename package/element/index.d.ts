@@ -1,4 +1,12 @@
-import type { Outcome, PictureOptions, SolveOptions } from "../core/mo_copp.js";
+import type { ByObserver, Outcome, PictureOptions, SolveOptions } from "../core/mo_copp.js";
+
+type Text = string | null;
+
+/** What an attribute may be set to as a property: its text, or nothing to take it away. */
+type Given = string | number | null | undefined;
+
+/** What a solver has answered. */
+export type Answered = Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> };
 
 /** All that a link would hold. */
 export interface SharedState {
@@ -27,28 +35,101 @@ export interface SvgOptions extends Omit<PictureOptions, "animate"> {
 export declare class MoCoppPlayground extends HTMLElement {
   /** Settles once the first picture is drawn, or cannot be. */
   readonly ready: Promise<this>;
-  /** The problem document that is open. Set, as an object or as its text, it is opened. */
+  /** The problem document that is open, or is being opened. Set, as an object or as its text, it is opened. */
   get document(): object | null;
   set document(value: object | string | null);
   /** All that a link would hold. Kept and set again, the playground is as it was. */
   get state(): SharedState | null;
   set state(value: SharedState | null);
-  /** Shows a step; one beyond the last is the last. */
+  // Attributes: docs/embedding.md says what each is for.
+  get src(): Text;
+  set src(value: Given);
+  get problem(): Text;
+  set problem(value: Given);
+  get plan(): Text;
+  set plan(value: Given | readonly string[]);
+  get step(): Text;
+  set step(value: Given);
+  get solver(): Text;
+  set solver(value: Given);
+  get k(): Text;
+  set k(value: Given);
+  get j(): Text;
+  set j(value: Given);
+  get horizon(): Text;
+  set horizon(value: Given);
+  get hide(): Text;
+  set hide(value: Given | readonly string[]);
+  get link(): Text;
+  set link(value: Given);
+  get theme(): Text;
+  set theme(value: Given);
+  get keys(): Text;
+  set keys(value: Given);
+  get exercise(): Text;
+  set exercise(value: Given | object);
+  get seed(): Text;
+  set seed(value: Given);
+  get student(): Text;
+  set student(value: Given);
+  get name(): Text;
+  set name(value: Given);
+  get loading(): Text;
+  set loading(value: Given);
+  get workerUrl(): Text;
+  set workerUrl(value: Given);
+  get wasmUrl(): Text;
+  set wasmUrl(value: Given);
+  watch: boolean;
+  /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number. */
   goTo(step: number): Promise<void>;
   /** Solves the open problem; rejects with a sentence where the options do not fit. */
-  solve(options?: Partial<SolveOptions>): Promise<Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> }>;
+  solve(options?: Partial<SolveOptions> | null): Promise<Answered>;
   /**
    * The step shown as the text of an SVG picture, the same as `mo-copp picture` writes; with `walk` all steps, animated.
    * Rejects with a sentence where there is nothing to draw, or an option does not fit.
    */
-  toSVG(options?: SvgOptions): Promise<string>;
+  toSVG(options?: SvgOptions | null): Promise<string>;
 }
 
 /** What a playground is drawn into: search there for `[data-goal]`, `[data-cell]`, `[data-board]`. */
 export declare function inside(playground: Element): ParentNode;
 
+/** The detail of `mo-copp-step`. */
+export interface StepDetail {
+  step: number;
+  /** The number of the last one. */
+  steps: number;
+  action: string | null;
+  symbols: ByObserver<string | null>;
+  /** Possible for each observer. */
+  goals: ByObserver<string[]>;
+  goal_difference: number;
+}
+
+/** The detail of `mo-copp-answer`. */
+export interface AnswerDetail {
+  code: string;
+  /** From 0 to 1. */
+  score: number | null;
+}
+
+/** The detail of `mo-copp-score`. */
+export interface ScoreDetail {
+  /** From 0 to 1. */
+  score: number;
+}
+
 declare global {
   interface HTMLElementTagNameMap {
     "mo-copp-playground": MoCoppPlayground;
+  }
+
+  /** The events bubble. */
+  interface GlobalEventHandlersEventMap {
+    "mo-copp-step": CustomEvent<StepDetail>;
+    "mo-copp-outcome": CustomEvent<Answered>;
+    "mo-copp-answer": CustomEvent<AnswerDetail>;
+    "mo-copp-score": CustomEvent<ScoreDetail>;
   }
 }

@@ -34,7 +34,11 @@ function ofPackage({ schemaVersion, modules }) {
           {
             ...element,
             superclass: { name: "HTMLElement" },
-            members: members.map(({ inheritedFrom, ...rest }) => rest),
+            attributes: element.attributes.map((attribute) => ({
+              ...attribute,
+              fieldName: propertyOf(attribute.name),
+            })),
+            members: [...members.map(({ inheritedFrom, ...rest }) => rest), ...element.attributes.map(reflecting)],
           },
         ],
         exports: [
@@ -45,3 +49,16 @@ function ofPackage({ schemaVersion, modules }) {
     ],
   };
 }
+
+/** `worker-url` is `workerUrl`. */
+const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+
+/** Each attribute is a property as well, which the element makes of their list. */
+const reflecting = ({ name, description }) => ({
+  kind: "field",
+  name: propertyOf(name),
+  type: { text: name === "watch" ? "boolean" : "string | null" },
+  description,
+  attribute: name,
+  reflects: true,
+});

@@ -10,7 +10,8 @@ import { childEnvironment } from "../../scripts/lib/environment.mjs";
 import { root } from "../../scripts/lib/paths.mjs";
 import { serve } from "../../scripts/lib/static-server.mjs";
 import { buildPackage, packageFolder } from "../../scripts/release/package.mjs";
-import { followed } from "../../www/src/element/attributes.js";
+import { attributes } from "../../www/src/element/attributes.js";
+import { solvers } from "../../www/src/state/form.js";
 import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
 
@@ -78,6 +79,14 @@ test("its types fit, and are those that the element has", () => {
        void element.toSVG(options).then((svg) => svg.length);
        inside(element).querySelector("[data-goal]");
        void element.solve({ solver: "search", k: 2 }).then(({ plan }) => plan?.length);
+       element.loading = "lazy";
+       element.step = 2;
+       element.plan = ["north", "east"];
+       element.watch = element.workerUrl === null;
+       element.addEventListener("mo-copp-step", ({ detail }) => detail.goals.adversarial.length + detail.step);
+       element.addEventListener("mo-copp-outcome", ({ detail }) => detail.plan?.length);
+       element.addEventListener("mo-copp-answer", ({ detail }) => detail.code.length);
+       window.addEventListener("mo-copp-score", ({ detail }) => detail.score.toFixed());
      }
      export const outcome: Promise<Outcome> = solve("{}");`,
   );
@@ -102,8 +111,16 @@ test("the manifest lists what the element follows, offers and tells, and licence
   const [element] = modules[0].declarations;
   const names = (list: { name: string }[]) => list.map(({ name }) => name);
   assert.equal(element.tagName, "mo-copp-playground");
-  for (const name of [...followed, "loading", "worker-url", "wasm-url"])
-    assert(names(element.attributes).includes(name), name);
+  assert.deepEqual(names(element.attributes).sort(), [...attributes].sort());
+  const [solver] = element.attributes.filter(({ name }: { name: string }) => name === "solver");
+  assert.deepEqual(solver.type.text.match(/\w+/g).sort(), Object.keys(solvers).sort());
+  const types = readFileSync(join(packageFolder, "element", "index.d.ts"), "utf8");
+  for (const { name, attribute } of element.members.filter(({ reflects }: { reflects?: true }) => reflects)) {
+    const found = element.attributes.find(({ fieldName }: { fieldName: string }) => fieldName === name);
+    assert.equal(found?.name, attribute);
+    assert.match(types, new RegExp(`^  (?:get )?${name}(?:\\(\\))?: `, "m"));
+  }
+  assert.equal(element.members.filter(({ reflects }: { reflects?: true }) => reflects).length, attributes.length);
   for (const name of ["document", "state", "goTo", "solve", "toSVG", "ready"])
     assert(names(element.members).includes(name), name);
   assert.deepEqual(names(element.events), ["mo-copp-step", "mo-copp-outcome", "mo-copp-answer", "mo-copp-score"]);
