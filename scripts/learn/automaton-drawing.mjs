@@ -12,6 +12,8 @@ const GAP = 12;
 /** Room on the left for what a row comes to, where no arrow goes. */
 const MARGIN = 84;
 const LINE = 20;
+/** What that takes more than a low node, above and below it. */
+const TOP = 12;
 /** Room for arrows between a row and the next. */
 const ARROWS = 48;
 /** Room for a node's value. */
@@ -26,13 +28,13 @@ function sizes(layers, { width, height }) {
   const most = Math.max(...layers.map(({ nodes }) => nodes.length));
   const step = node.height + VALUE + ARROWS;
   const across = MARGIN + most * node.width + (most - 1) * GAP + 4;
-  return { node, across, down: layers.length * step - ARROWS + 4, step };
+  return { node, across, down: layers.length * step - ARROWS + TOP + 2, step };
 }
 
 /** Top left corner of a node. */
 const corner = ({ node, across, step }, row, index, count) => ({
   x: (across + MARGIN - count * node.width - (count - 1) * GAP) / 2 + index * (node.width + GAP),
-  y: row * step + 2,
+  y: row * step + TOP,
 });
 
 function board(scene, { state, beliefs }, observer, left, top) {
@@ -95,7 +97,7 @@ export function said(layer, row) {
 
 /** The same in the margin, beside the nodes. */
 function marginal(size, layer, row) {
-  const top = row * size.step + 2 + size.node.height / 2 - LINE + 5;
+  const top = row * size.step + TOP + size.node.height / 2 - LINE + 5;
   const lines = countsOf(layer, row).map(
     (text, index) => `<tspan x="2" y="${round(top + index * LINE)}">${text}</tspan>`,
   );
@@ -112,7 +114,7 @@ export function drawing(id, name, layers, label, lit) {
       .map((node, index) => drawnNode(scene, size, node, row, index, layer.nodes.length))
       .join("");
     const title = marginal(size, layer, row);
-    const down = round((row + 1) * size.step - ARROWS + 4);
+    const down = round((row + 1) * size.step - ARROWS + TOP + 2);
     return `<g data-row="${row}" data-said="${said(layer, row)}" data-known="${layer.known}" data-down="${down}">${arcs}${title}${nodes}</g>`;
   });
   const arrow = `<defs><marker id="${id}-arrow" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="7" markerHeight="7" orient="auto"><path class="head" d="M0 0L8 4L0 8z"/></marker></defs>`;

@@ -241,6 +241,14 @@ test("no words of the drawings lie on arrows, and no walk of the table is broken
       }),
     );
     assert.deepEqual(covered, []);
+    const cut = await page.locator(".automaton svg").evaluateAll((drawings) =>
+      drawings.flatMap((drawing) => {
+        const { height } = (drawing as SVGSVGElement).viewBox.baseVal;
+        const boxes = [...drawing.querySelectorAll<SVGGraphicsElement>("text")].map((text) => text.getBBox());
+        return boxes.filter((box) => box.y < 0 || box.x < 0 || box.y + box.height > height);
+      }),
+    );
+    assert.equal(cut.length, 0);
     const left = await page.locator(".automaton svg text.row").evaluateAll(
       (texts) =>
         texts.filter((text) => {

@@ -118,7 +118,8 @@ function whichSteps(kind: Kind, step: number, shown: Shown): string {
   if (kind === "guess") return `The question is about all ${steps} of the plan: who guesses must be able to tell.`;
   if (shown.step > 0)
     return `The question is about the ${steps} shown on the boards: go to the step that is to be asked about.`;
-  return `The question is about the first ${steps} of the plan; to ask about others, go to the step on the boards.`;
+  const which = step === shown.steps.length - 1 ? `all ${steps}` : `the first ${steps}`;
+  return `The question is about ${which} of the plan; to ask about others, go to the step on the boards.`;
 }
 
 function placement({ exerciseDraft: draft }: AuthorPanelStores, fields: DraftFields, shown: Shown): TemplateResult {
