@@ -5,11 +5,15 @@
 /** Styles of the page around the element, and those that name the element themselves. */
 const ofThePage = /^(?:site|embed-page|colours|guest)$/;
 
+/** What our own custom properties begin with in a shadow root; the stand-alone page is all ours. */
+const OWN = "--mo-copp-own-";
+
 export function stylesInElement() {
   return {
     name: "styles-in-element",
     enforce: "pre",
     transform(code, id) {
+      if (/\/www\/src\/text\/colours\.ts$/.test(id)) return { code: inBoth(code), map: null };
       const [, name, query] = /\/www\/src\/style\/([^/?]+)\.css(\?.*)?$/.exec(id) ?? [];
       if (name === undefined) return null;
       if (/\binline\b/.test(query ?? "")) return { code: inShadow(code), map: null };
@@ -19,14 +23,19 @@ export function stylesInElement() {
   };
 }
 
+/** The text fields stand on the stand-alone page and in shadow roots. */
+const inBoth = (code) => code.replace(/var\(--([a-z-]+)(, [^()]+)?\)/g, `var(${OWN}$1, var(--$1$2))`);
+
 function inShadow(code) {
+  // A page may register a property of any name, and then decides what it is everywhere.
   return code
+    .replace(/(?<![\w-])--(?!mo-copp-)(?=[a-z])/g, OWN)
     .split("\n")
     .map((line) => {
       if (line.startsWith("@media (max-width")) return line.replace("@media", "@container mo-copp");
       if (line.startsWith("@") || line.includes("--mo-copp-rem:")) return line;
       // As wide as the playground, and not as the window; dialogs go by the window.
-      const own = line.includes("--room:") ? line.replace("100vw", "100cqi") : line;
+      const own = line.includes("-room:") ? line.replace("100vw", "100cqi") : line;
       return own.replace(/(-?[\d.]+)rem\b/g, (_, number) => `calc(${number} * var(--mo-copp-rem))`);
     })
     .join("\n");

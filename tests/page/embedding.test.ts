@@ -83,12 +83,15 @@ test("settings that can't be used are said, and the problem is shown", () =>
   visit(async ({ page }) => {
     await course(
       page,
-      `<mo-copp-playground id="one" problem="corridor" solver="magic" step="abc" hide="tols legend" link="off"></mo-copp-playground>`,
+      `<mo-copp-playground id="one" problem="corridor" solver="magic" step="abc" hide="tols legend" link="of" loading="lazzy" k="99" j="2"></mo-copp-playground>`,
     );
     const alert = page.locator("#one").getByRole("alert").first();
     await alert.getByText("“magic” can’t be used for the attribute solver; expected exact, ip,").waitFor();
     await alert.getByText("“abc” can’t be used for the attribute step; expected a whole number").waitFor();
     await alert.getByText("“tols” can’t be used for the attribute hide; expected parts").waitFor();
+    await alert.getByText("“of” can’t be used for the attribute link; expected on, off.").waitFor();
+    await alert.getByText("“lazzy” can’t be used for the attribute loading; expected lazy, eager.").waitFor();
+    await alert.getByText("“99” can’t be used for the attribute k; expected a whole number from 1 to 4.").waitFor();
     assert.equal(await page.locator("#one .title", { hasText: "One step too far" }).count(), 1);
     assert.equal(await page.locator("#one").getAttribute("data-step"), "5");
     assert.equal(await page.locator("#one .legend").count(), 0);

@@ -28,7 +28,10 @@ const scheme = (page: Page) => page.locator("#one").getAttribute("data-scheme");
 test("the theme is the page's: by its color-scheme, its tool's switch, or the attribute", () =>
   visit(
     async ({ page }) => {
-      await lesson(page, one);
+      await lesson(
+        page,
+        `<style>:root:has(#dark:checked) { color-scheme: dark }</style><input type="checkbox" id="dark">${one}`,
+      );
       await ready(page);
       // A page that says nothing is light, whatever the system.
       assert.equal(await scheme(page), "light");
@@ -38,6 +41,17 @@ test("the theme is the page's: by its color-scheme, its tool's switch, or the at
       const body = "document.body";
       const switches: [on: string, off: string][] = [
         [`${body}.style.background = "#191919"`, `${body}.style.background = "#fff"`],
+        [`${body}.style.background = "oklch(0.25 0.02 250)"`, `${body}.style.background = "oklab(0.9 0 0)"`],
+        [`${body}.style.background = "color(srgb 0.1 0.1 0.1)"`, `${body}.style.background = "lab(80 0 0)"`],
+        // Switches that no attribute tells of: a ground that fades, and a field that styles ask for.
+        [
+          `${body}.style.transition = "background-color 50ms"; ${body}.style.background = "#111"`,
+          `${body}.style.background = "#fff"`,
+        ],
+        [
+          `${body}.style.transition = ""; document.querySelector("#dark").click()`,
+          `document.querySelector("#dark").click()`,
+        ],
         [`${root}.style.colorScheme = "dark"`, `${root}.style.colorScheme = ""`],
         [`${root}.style.colorScheme = "light dark"`, `${root}.style.colorScheme = "light"`],
         [`${root}.dataset.bsTheme = "dark"`, `delete ${root}.dataset.bsTheme`],
@@ -190,8 +204,20 @@ test("the element's children stand for it until it runs, and where it can't", ()
         return (element as MoCoppPlayground).goTo(1).catch((error: Error) => error.message);
       });
       assert.equal(refused, "The playground could not be loaded.");
+      // What fails twice may be kept by the browser: then the page itself is loaded again.
+      const anew = page.locator("#one").getByRole("button", { name: "Load the page again" });
+      assert.equal(await anew.count(), 0);
+      await again.click();
+      await anew.waitFor();
       await page.unroute("**/shadow-view-*.js");
+      await again.click();
+      await ready(page);
+      await page.route("**/shadow-view-*.js", (route) => route.abort());
       await lesson(page, poster);
+      await again.click();
+      await anew.waitFor();
+      await page.unroute("**/shadow-view-*.js");
+      await anew.click();
       await ready(page);
       assert(!(await page.locator("#poster").isVisible()));
     },
@@ -524,3 +550,34 @@ test("methods reject with a sentence what can't be used, and change nothing by i
       "",
     );
   }));
+
+test("a poster leaves no gap, is there while nothing else is, and goes with an exercise, too", () =>
+  visit(
+    async ({ page }) => {
+      const height = () => page.locator("#one").evaluate((element) => element.getBoundingClientRect().height);
+      const lazy = `<div style="height: 4000px"></div><mo-copp-playground id="one" problem="corridor" loading="lazy" link="off">`;
+      await lesson(page, `${lazy}A picture in words.</mo-copp-playground>`);
+      await page.waitForSelector("#one[data-status=idle]");
+      assert((await height()) < 100);
+      // A classic script has the element made before its children are read.
+      await lesson(page, `${lazy}<p>A picture</p></mo-copp-playground>`, {
+        head: `<script src="../mo-copp-playground.single.js"></script>`,
+      });
+      await page.waitForSelector("#one[data-status=idle]");
+      assert((await height()) < 100);
+      await lesson(page, `${lazy}</mo-copp-playground>`);
+      await page.waitForSelector("#one[data-status=idle]");
+      assert((await height()) > 400);
+      await page.route("**/problem.json", (route) => route.fulfill({ contentType: "application/json", body: grid() }));
+      // Nothing could be opened: the picture, and the word of why.
+      await lesson(page, one.replace('problem="corridor"', 'src="missing.json"').replace("></", "><p>A picture</p></"));
+      await page.locator("#one").getByText("was answered with 404").waitFor();
+      assert(await page.getByText("A picture").isVisible());
+      assert((await height()) < 200, String(await height()));
+      await page.evaluate(() => document.querySelector("#one")?.setAttribute("exercise", '{"kind": "best"}'));
+      await page.evaluate(() => document.querySelector("#one")?.setAttribute("src", "../problem.json"));
+      await page.locator("#one .exercise").waitFor();
+      assert(!(await page.getByText("A picture").isVisible()));
+    },
+    { quiet: false },
+  ));

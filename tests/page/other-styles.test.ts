@@ -83,6 +83,15 @@ const styles: readonly Style[] = [
     css: "* { all: revert } div { float: left } * { letter-spacing: 3px; text-transform: uppercase; visibility: visible }",
   },
   {
+    name: "registered properties",
+    css: [..."ink card line paper muted floor wall enemy friend focus".split(" ")]
+      .map(
+        (name) =>
+          `@property --${name} { syntax: "<color>"; inherits: false; initial-value: ${name === "card" ? "lime" : "red"} }`,
+      )
+      .join(" "),
+  },
+  {
     name: "inherited properties",
     css: "body { font: italic 700 40px/3 serif; color: red; text-align: right; letter-spacing: 4px; word-spacing: 9px; text-transform: uppercase; white-space: pre; cursor: wait; text-shadow: 3px 3px red; list-style: upper-roman; --ink: red; --card: lime; --line: blue }",
     around: (inner) => `<div dir="rtl">${inner}</div>`,

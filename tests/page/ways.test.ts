@@ -134,6 +134,23 @@ test("a worker that is forbidden, wasm that is forbidden, an address that answer
       await alert.getByRole("button", { name: "Try again" }).waitFor();
       await host(page, single + one, oneFile.replace(" 'wasm-unsafe-eval'", ""));
       await alert.getByText("must allow 'wasm-unsafe-eval' in script-src").waitFor();
+      // A worker that the page places, and that is not there, has a name.
+      await host(page, own + one.replace("link=", `worker-url="no-worker.js" link=`), sameHost);
+      await alert.getByText("nothing came from worker-url, “no-worker.js”").waitFor();
+      // A document that may not be fetched may stand in the page.
+      const elsewhere = `<mo-copp-playground id="one" src="${other.address}grid.json" link="off"></mo-copp-playground>`;
+      await host(page, own + elsewhere, sameHost);
+      await alert.getByText("must allow its host in connect-src. A document may stand in the element itself").waitFor();
+      const folder = mkdtempSync(join(tmpdir(), "mo-copp-"));
+      try {
+        copyFileSync(join(dist, "mo-copp-playground.single.js"), join(folder, "playground.js"));
+        const text = `<!doctype html><html lang="en"><title>From disk</title><script src="playground.js"></script>`;
+        writeFileSync(join(folder, "page.html"), text + elsewhere.replace(other.address, ""));
+        await page.goto(pathToFileURL(join(folder, "page.html")).href);
+        await alert.getByText("browsers let a page on a disk read no other file. A document may stand in").waitFor();
+      } finally {
+        rmSync(folder, { recursive: true });
+      }
       // A second try is one click.
       await host(page, `${own}<mo-copp-playground id="one" src="late.json" link="off"></mo-copp-playground>`);
       await alert.getByText("“late.json” could not be loaded").waitFor();

@@ -24,6 +24,7 @@ const frame = `
 .mo-copp-part.waiting.has-poster { display: none; }
 slot { display: none; }
 slot.poster { display: contents; }
+slot.poster ~ .has-poster:not(.waiting) > :not(.error, .failure) { display: none; }
 .failure { margin: 0; padding: 0.75rem; font: 1rem / 1.45 system-ui, sans-serif; }
 @media print {
   .mo-copp-part.waiting { min-height: 0; }
@@ -98,8 +99,10 @@ slot.poster { display: contents; }
  */
 export class MoCoppPlayground extends PlaygroundElement {
   #root: HTMLElement | null = null;
-  #slotted: HTMLElement | null = null;
+  #slotted: HTMLSlotElement | null = null;
   #theme: Theme | null = null;
+  /** Somebody tried to load the view again. */
+  #retried = false;
   #stopFollowing: (() => void) | null = null;
 
   override connectedCallback(): void {
@@ -134,15 +137,17 @@ export class MoCoppPlayground extends PlaygroundElement {
     root.setAttribute("part", "playground");
     root.lang = "en";
     root.dir = "ltr";
-    // The page's own children of the element stand for the picture until there is one, and where there can be none.
-    const poster = [...this.children].some((child) => !(child instanceof HTMLScriptElement));
-    root.classList.toggle("has-poster", poster);
     this.#slotted = document.createElement("slot");
     this.#slotted.className = "poster";
+    // The page's own children of the element stand for the picture until there is one, and where there can be none.
+    const slotted = this.#slotted;
+    const look = () => root.classList.toggle("has-poster", slotted.assignedNodes().some(isShown));
+    slotted.addEventListener("slotchange", look);
     const width = document.createElement("div");
     width.className = "width";
     shadow.append(width, this.#slotted, root);
     this.#root = root;
+    look();
     this.#theme = new Theme(this, root, true);
     return root;
   }
@@ -158,23 +163,44 @@ export class MoCoppPlayground extends PlaygroundElement {
 
   protected override shown(): void {
     super.shown();
-    this.#root?.classList.remove("waiting", "has-poster");
-    // Where nothing could be drawn, the poster stays beside the word of why.
-    if (this.#slotted !== null && this.#root?.querySelector("[data-board], .stage") !== null)
+    this.#root?.classList.remove("waiting");
+    // Where nothing could be drawn, the poster stays beside the word of why, and beside nothing else.
+    if (this.#slotted !== null && this.#root?.querySelector("[data-board], .stage, .exercise") !== null)
       this.#slotted.className = "";
   }
 
   protected override failed(again: () => void): void {
-    const button = document.createElement("button");
-    button.type = "button";
-    button.textContent = "Try again";
-    button.addEventListener("click", again);
+    const retry = () => {
+      this.#retried = true;
+      again();
+    };
     const text = document.createElement("p");
     text.className = "failure";
     text.setAttribute("role", "alert");
-    text.append("The playground could not be loaded. Check the connection, then try again. ", button);
+    text.append(
+      "The playground could not be loaded. Check the connection, then try again. ",
+      button("Try again", retry),
+    );
+    // Firefox asks for no module twice that it could not load, as long as the page is open.
+    if (this.#retried)
+      text.append(
+        " ",
+        button("Load the page again", () => location.reload()),
+      );
     this.#root?.replaceChildren(text);
-    this.#root?.classList.remove("waiting", "has-poster");
+    this.#root?.classList.remove("waiting");
     this.dataset.status = "error";
   }
+}
+
+/** Whether a child of the element is something to see. */
+const isShown = (child: Node): boolean =>
+  child instanceof Element ? !(child instanceof HTMLScriptElement) : child.textContent?.trim() !== "";
+
+function button(text: string, act: () => void): HTMLButtonElement {
+  const made = document.createElement("button");
+  made.type = "button";
+  made.textContent = text;
+  made.addEventListener("click", act);
+  return made;
 }

@@ -2,8 +2,11 @@
 
 import type { Playground } from "../playground/playground.js";
 import { LARGEST_DOCUMENT, LARGEST_IN_WORDS } from "../problem/limits.js";
-import { type Form, solverNames } from "../state/form.js";
+import { emptyForm, type Form, solverNames } from "../state/form.js";
+import { fitted } from "../state/numbers.js";
+import { forbidsLoading } from "../worker/policy.js";
 import type { Seed } from "../worker/protocol.js";
+import { nextTurn } from "../worker/turn.js";
 import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
 
@@ -71,8 +74,15 @@ export function hiddenParts(text: string | null): ReadonlySet<string> {
 /** What also stands in the `hide` of an address: the page's own parts (site.ts). */
 const pageParts = ["intro", "footer"] as const;
 
-/** What of these attributes can't be used: a sentence for each that says what was expected. */
-export function mistakes(element: Element, names: ReadonlySet<string>): string[] {
+/** Words that are as good as none at all are among them. */
+const links = ["on", "off"] as const;
+const loadings = ["lazy", "eager"] as const;
+
+/**
+ * What of these attributes can't be used: a sentence for each that says what was expected. `goals`: how many the problem
+ * has; null while there is none.
+ */
+export function mistakes(element: Element, names: ReadonlySet<string>, goals: number | null): string[] {
   const value = (name: string) => (names.has(name) ? element.getAttribute(name) : null);
   const [solver, step, theme, keys] = [value("solver"), value("step"), value("theme"), value("keys")];
   const seed = value("seed");
@@ -82,6 +92,15 @@ export function mistakes(element: Element, names: ReadonlySet<string>): string[]
   if (theme !== null && !isOneOf(themes, theme)) found.push(unusable("theme", theme, themes.join(", ")));
   if (keys !== null && !isOneOf(keyReaches, keys)) found.push(unusable("keys", keys, keyReaches.join(", ")));
   if (seed !== null && wholeNumberOf(seed) === null) found.push(unusable("seed", seed, "a whole number from 0"));
+  for (const [name, words] of Object.entries({ link: links, loading: loadings })) {
+    const word = value(name);
+    if (word !== null && !isOneOf(words, word)) found.push(unusable(name, word, words.join(", ")));
+  }
+  for (const name of ["k", "j"]) {
+    const bound = wholeNumberOf(value(name) ?? "");
+    if (bound === null || goals === null || bound <= goals) continue;
+    found.push(unusable(name, String(bound), `a whole number from 1 to ${goals}`));
+  }
   for (const part of hiddenParts(value("hide"))) {
     const known = part === "" || isOneOf(parts, part) || isOneOf(pageParts, part);
     if (!known) found.push(unusable("hide", part, `parts of the playground: ${parts.join(", ")}`));
@@ -113,7 +132,9 @@ export async function settle(
   if (playground.exercise.posed.value !== null) return true;
   const form = formOf(settings);
   if (Object.keys(form).length > 0) {
-    playground.solving.edit(form);
+    // Bounds that no plan can keep are said (mistakes), and the solver does without.
+    const scene = playground.problem.scene.value;
+    playground.solving.edit({ ...form, ...(scene === null ? null : fitted({ ...emptyForm, ...form }, scene)) });
     await playground.solving.solve(at);
     if (!wanted()) return false;
   }
@@ -135,14 +156,10 @@ async function openProblem(
 ): Promise<boolean> {
   const { gallery } = playground;
   if (src !== null) {
-    const text = await fetched(src);
+    const { text, fault } = await fetched(src);
     if (!wanted()) return false;
-    if (text !== null && text !== TOO_LARGE) return playground.edits.open(text, {}, "exact", at);
-    playground.solving.refuse(
-      text === null
-        ? `The problem document “${src}” could not be loaded.`
-        : `The problem document “${src}” is too large: at most ${LARGEST_IN_WORDS} can be opened.`,
-    );
+    if (text !== undefined) return playground.edits.open(text, {}, "exact", at);
+    playground.solving.refuse(`The problem document “${src}” ${fault}`);
     return false;
   }
   if (problem === null) return playground.edits.open(fallback, {}, "exact", at);
@@ -150,18 +167,32 @@ async function openProblem(
   return wanted() && gallery.open(problem, at);
 }
 
-const TOO_LARGE = Symbol("too large");
+type Fetched = { text: string; fault?: never } | { text?: never; fault: string };
 
-async function fetched(address: string): Promise<string | null | typeof TOO_LARGE> {
+const TOO_LARGE: Fetched = { fault: `is too large: at most ${LARGEST_IN_WORDS} can be opened.` };
+const INSIDE = "A document may stand in the element itself, as a script of the type application/json.";
+
+async function fetched(given: string): Promise<Fetched> {
   try {
-    const response = await fetch(new URL(address, document.baseURI));
-    if (!response.ok) return null;
+    const response = await fetch(new URL(given, document.baseURI));
+    if (!response.ok) return { fault: `could not be loaded: its address was answered with ${response.status}.` };
     if (Number(response.headers.get("Content-Length")) > LARGEST_DOCUMENT) return TOO_LARGE;
     const text = await response.text();
-    return text.length > LARGEST_DOCUMENT ? TOO_LARGE : text;
+    return text.length > LARGEST_DOCUMENT ? TOO_LARGE : { text };
   } catch {
-    return null;
+    return { fault: await whyNot(given) };
   }
+}
+
+/** Why nothing came of an address. */
+async function whyNot(given: string): Promise<string> {
+  if (!URL.canParse(given, document.baseURI)) return "could not be loaded: this is no address.";
+  const { href, protocol } = new URL(given, document.baseURI);
+  if (protocol === "file:") return `could not be loaded: browsers let a page on a disk read no other file. ${INSIDE}`;
+  // Word of a policy comes after the failure.
+  await nextTurn();
+  if (!forbidsLoading(href)) return "could not be loaded.";
+  return `could not be loaded: the page’s content policy forbids it, and must allow its host in connect-src. ${INSIDE}`;
 }
 
 function formOf({ solver, k, j, horizon }: Settings): Partial<Form> {

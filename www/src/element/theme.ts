@@ -22,6 +22,9 @@ const switches: readonly [attribute: string, light: RegExp, dark: RegExp][] = [
   ],
 ];
 
+/** A switch may be a field that styles ask for by `:has(:checked)`, and a ground may fade. */
+const events = ["change", "transitionend"] as const;
+
 export class Theme {
   private readonly system = globalThis.matchMedia?.("(prefers-color-scheme: dark)");
   private readonly observer = new MutationObserver(() => this.update());
@@ -41,12 +44,14 @@ export class Theme {
       attributes: true,
       attributeFilter: [...switches.map(([name]) => name), "style", "media", "disabled", "rel"],
     };
+    for (const name of events) document.addEventListener(name, this.changed);
     for (const around of ancestors(this.host)) this.observer.observe(around, attributes);
     this.observer.observe(document.head, { ...attributes, childList: true, subtree: true });
   }
 
   disconnect(): void {
     this.system?.removeEventListener("change", this.changed);
+    for (const name of events) document.removeEventListener(name, this.changed);
     this.observer.disconnect();
   }
 
@@ -125,18 +130,34 @@ function fromColorScheme(said: string, systemDark: boolean): Scheme {
   return words.includes("light") && !systemDark ? "light" : "dark";
 }
 
-/** Of 255: a ground that is darker is better met by light text. */
-const DARK = 80;
+/** Of 1: a ground that is darker is better met by light text. */
+const DARK = 0.31;
+/** The same grey as a lightness of OKLab, and of CIELAB (of 100). */
+const DARK_OK = 0.43;
+const DARK_LAB = 34;
 
 /** As dark as what is painted behind it; a page that paints nothing is light, whatever the system. */
 function groundOf(around: readonly Element[]): Scheme {
   for (const element of around) {
-    const [red = 0, green = 0, blue = 0, alpha = 1] = (
-      getComputedStyle(element).backgroundColor.match(/^rgba?\((.*)\)$/)?.[1] ?? "0, 0, 0, 0"
-    )
-      .split(/[\s,/]+/)
-      .map(Number);
-    if (alpha > 0.5) return 0.2126 * red + 0.7152 * green + 0.0722 * blue < DARK ? "dark" : "light";
+    const dark = isDark(getComputedStyle(element).backgroundColor);
+    if (dark !== null) return dark ? "dark" : "light";
   }
   return "light";
+}
+
+/** Of a colour as it is computed; null where it lets through what is behind it. */
+function isDark(colour: string): boolean | null {
+  const [, space = "", values = ""] = /^(\w+)\((.*)\)$/.exec(colour) ?? [];
+  const [channels = "", behind] = values.split("/");
+  const numbers = channels
+    .split(/[\s,]+/)
+    .map(Number)
+    .filter((number) => !Number.isNaN(number));
+  const [first = 0, second = 0, third = 0, fourth] = numbers;
+  const alpha = behind === undefined ? (fourth ?? 1) : Number(behind);
+  if (numbers.length === 0 || alpha <= 0.5) return null;
+  if (space.startsWith("ok")) return first < DARK_OK;
+  if (space === "lab" || space === "lch") return first < DARK_LAB;
+  const luma = 0.2126 * first + 0.7152 * second + 0.0722 * third;
+  return (space.startsWith("rgb") ? luma / 255 : luma) < DARK;
 }

@@ -59,7 +59,7 @@ const exercise = new LazyPanel<ExerciseViewStores>(
 );
 
 /** Attributes that change how a playground looks and behaves, and not what is open in it. */
-const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme"]);
+const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link"]);
 
 /** What a page's script asked for before there was a view; it goes before attributes and address. */
 export interface Wanted {
@@ -243,7 +243,6 @@ export class View {
 
   attributeChanged(name: string): void {
     this.picture.request();
-    if (name === "link") return;
     if (name === "src" || name === "problem") this.given = null;
     // A page that changes several means all of them at once.
     if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
@@ -279,7 +278,7 @@ export class View {
     if (wanted()) this.unreachable.value = !settled && settings.src !== null;
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
-    if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners, "seed"]));
+    if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners, "seed", "loading"]));
   }
 
   /** What an exercise is asked with. */
@@ -291,7 +290,7 @@ export class View {
 
   /** Beside what else could not be used. */
   private sayMistakes(names: ReadonlySet<string>): void {
-    const found = mistakes(this.host, names);
+    const found = mistakes(this.host, names, this.playground.problem.scene.value?.goals.length ?? null);
     if (found.length === 0) return;
     const said = this.playground.answer.error.peek();
     const others = said === null || found.some((mistake) => said.includes(mistake)) ? [] : [said];

@@ -2,6 +2,7 @@
 // obey a cancel.
 import type { Progress, Scene, Trace } from "../core.js";
 import { keptOutcome } from "./kept-outcome.js";
+import { chosenPlaces } from "./places.js";
 import { whyForbidden } from "./policy.js";
 import type { Answer, Message, Reply, Task, Update } from "./protocol.js";
 import { type SolverWorker, startWorker } from "./start.js";
@@ -100,7 +101,9 @@ export class SolverClient {
     worker.onerror = (event) => {
       event.preventDefault();
       const forbidden = event.message ? null : whyForbidden();
-      this.lose(event.message || (forbidden ?? "the solver could not be started"), forbidden !== null);
+      const { worker: placed } = chosenPlaces();
+      const why = placed === null ? "the solver could not be started" : `nothing came from worker-url, “${placed}”`;
+      this.lose(event.message || (forbidden ?? why), forbidden !== null);
     };
     return worker;
   }

@@ -2,9 +2,12 @@
 // the browser tells the page are remembered.
 
 let workers = false;
+/** What was not to be loaded: an address, or a host alone. */
+const loads = new Set<string>();
 
-globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => {
+globalThis.document?.addEventListener("securitypolicyviolation", ({ effectiveDirective, blockedURI }) => {
   if (effectiveDirective === "worker-src") workers = true;
+  if (effectiveDirective === "connect-src") loads.add(blockedURI);
 });
 
 /** Why no worker was started; null where no policy was in the way. */
@@ -12,6 +15,9 @@ export function whyForbidden(): string | null {
   if (!workers) return null;
   return "the page’s content policy forbids its worker, and must allow worker-src 'self', or blob: for a playground of another host or of one file";
 }
+
+/** Whether the page may not load what is at an address, as far as that was tried. */
+export const forbidsLoading = (address: string): boolean => [...loads].some((blocked) => address.startsWith(blocked));
 
 export const NO_WASM = "the page’s content policy forbids WebAssembly, and must allow 'wasm-unsafe-eval' in script-src";
 
