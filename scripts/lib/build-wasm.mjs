@@ -27,7 +27,9 @@ const packages = [
     folder: wasmPackage,
     profile: "wasm-fast",
     cargo: [],
-    // rustc has inlined what is worth it: more of it costs bytes, and no time was gained.
+    // Less is inlined than by default (250): 7 % fewer bytes, packed, for at most some percent of the time. What is worth
+    // it has been inlined then: more of it by the optimiser costs bytes, and no time was gained.
+    flags: ["-Cllvm-args=--inline-threshold=100"],
     optimiser: ["-O2", "-ocimfs", "0", "-fimfs", "0", "--strip-producers", ...features],
   },
   {
@@ -36,6 +38,7 @@ const packages = [
     folder: lightWasmPackage,
     profile: "wasm-small",
     cargo: ["--no-default-features"],
+    flags: [],
     optimiser: ["-Oz", "-ocimfs", "0", "-fimfs", "0", "--converge", "--strip-producers", ...features],
   },
 ];
@@ -77,7 +80,7 @@ async function build(one, kind, options) {
   const start = (command, args, env = {}) => run(command, args, { ...options, env });
   const compiled = await start("cargo", cargoArgs(one), {
     CARGO_TARGET_DIR: target,
-    CARGO_ENCODED_RUSTFLAGS: rustFlags().join("\x1f"),
+    CARGO_ENCODED_RUSTFLAGS: [...rustFlags(), ...one.flags].join("\x1f"),
   });
   if (compiled !== 0) return compiled;
   rmSync(one.folder, { recursive: true, force: true });
@@ -106,7 +109,7 @@ function rustFlags() {
 function fingerprint(one) {
   const hash = createHash("sha256");
   const versions = ["rustc", "wasm-bindgen", "wasm-opt"].map((command) => read(command, ["--version"]));
-  hash.update(JSON.stringify([cargoArgs(one), one.optimiser, versions]));
+  hash.update(JSON.stringify([cargoArgs(one), one.flags, one.optimiser, versions]));
   for (const file of [inRoot("Cargo.toml"), inRoot("Cargo.lock"), ...filesUnder(inRoot("src"))]) {
     hash.update(`\0${fromRoot(file)}\0`).update(readFileSync(file));
   }

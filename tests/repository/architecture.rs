@@ -116,7 +116,7 @@ const FOLDERS: Table = &[
     ("steps", &["core", "gallery", "help", "stage", "state", "view"]),
     ("text", &["core", "problem", "share", "state", "worker"]),
     ("playground", &["gallery", "state", "text", "view"]),
-    ("author", &["share", "state", "view"]),
+    ("author", &["problem", "share", "state", "view"]),
     ("workbench", &["author", "edit", "play", "solve", "state", "steps", "text"]),
     (
         "element",

@@ -103,7 +103,9 @@ const changes = (part: Element): [name: string, value: string][] =>
 function set(host: HTMLElement, wanted: readonly [name: string, value: string][]): void {
   for (const [name, value] of wanted) {
     if (name === "step" && host.getAttribute("step") === value) {
-      void (host as HTMLElement & { goTo(step: number): Promise<void> }).goTo(Number(value));
+      const playground = host as HTMLElement & { goTo(step: number): Promise<void> };
+      // What is no step has been said on the element.
+      playground.goTo(Number(value)).catch(() => undefined);
     } else {
       host.setAttribute(name, value);
     }

@@ -44,7 +44,7 @@ function listen(playground: MoCoppPlayground, asked: string): void {
     }
     const command = readCommand(data, PROTOCOL, VERSION);
     if (command === null) return;
-    if (command.command === "step") void playground.goTo(command.step);
+    if (command.command === "step") playground.goTo(command.step).catch(() => undefined);
     else if (command.command === "theme") playground.setAttribute("theme", command.theme);
     else if (command.command === "document") playground.document = command.document;
     else playground.state = command.state as typeof playground.state;
