@@ -8,6 +8,7 @@ export const pages = [
   ["pddl", "PDDL"],
   ["domains", "The paper’s domains"],
   ["experiments", "Experiments"],
+  ["benchmarks", "Benchmarks"],
   ["embedding", "In your own page"],
   ["frames", "Frames"],
   ["pictures", "Pictures and print"],

@@ -146,7 +146,7 @@ test("the best possible is found beside a solver that was faster than it", () =>
     const document = JSON.parse(example);
     document.walls.pop();
     await page.evaluate(`{
-      const { playground } = document.querySelector("mo-copp-playground").view;
+      const { playground } = document.querySelector("mo-copp-playground")[Symbol.for("mo-copp view")];
       playground.edits.apply(${JSON.stringify(document)});
       void playground.solving.solve();
     }`);

@@ -30,4 +30,6 @@ export const opened = (
 
 /** Makes a document of the problem by an edit, as the page's own controls do. */
 export const edit = (page: Page, document: string): Promise<unknown> =>
-  page.evaluate(`document.querySelector("mo-copp-playground").view.playground.edits.apply(${document})`);
+  page.evaluate(
+    `document.querySelector("mo-copp-playground")[Symbol.for("mo-copp view")].playground.edits.apply(${document})`,
+  );

@@ -56,6 +56,11 @@ export abstract class PlaygroundElement extends Base {
     reflect(PlaygroundElement.prototype);
   }
 
+  /** What draws the playground, for this project's own tests: no part of the element that stays as it is. */
+  get [Symbol.for("mo-copp view")](): View | null {
+    return this.#view;
+  }
+
   /** The problem document that is open, or is being opened. Set, as an object or as its text, it is opened. */
   get document(): ProblemDocument | null {
     return this.#view === null ? documentIn(this.#wanted.document) : this.#view.document;

@@ -27,8 +27,8 @@ export const invitation = ({ timeline, tour }: InvitationStores): TemplateResult
 
 /** The button goes with the first step: the focus moves to the bar that stops and goes back. */
 function watch(timeline: Timeline, { currentTarget }: Event): void {
-  const stage = (currentTarget as Element).closest(".stage");
+  const root = (currentTarget as Element).getRootNode() as Document | ShadowRoot;
   timeline.play();
-  const bar = stage?.parentElement?.querySelector<HTMLElement>(".stepper .main");
+  const bar = root.querySelector<HTMLElement>(".stepper .main");
   requestAnimationFrame(() => bar?.focus({ preventScroll: true }));
 }

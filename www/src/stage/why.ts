@@ -80,7 +80,8 @@ function cellIn(state: State): [number, number] | null {
 export function reasonMarks(role: Role, { why }: Pick<WhyStores, "why">) {
   const cause = why.of(role)?.cause ?? null;
   if (isNearest(cause)) {
-    const cell = cause === null || cause.state === null ? null : cellIn(cause.state);
+    // Where it holds in a believed state it is possible.
+    const cell = cause === null || cause.state === null || cause.actions === 0 ? null : cellIn(cause.state);
     return cell === null ? nothing : svg`<g class="reason" data-reason="now">${ring(cell)}</g>`;
   }
   const elimination = cause;
