@@ -343,6 +343,13 @@ test("prose wakes a playground that waits below, brings it into sight, and follo
         return Math.min(bottom, innerHeight) - Math.max(top, 0);
       });
     while ((await inSight()) <= 240) await page.waitForTimeout(20);
+    // It comes gently: what follows begins where that has ended.
+    await page.evaluate(async () => {
+      for (let last = -1; last !== scrollY; ) {
+        last = scrollY;
+        await new Promise((done) => setTimeout(done, 200));
+      }
+    });
     assert.equal(await page.evaluate(() => location.hash), "");
     // What is in sight already stays where it is.
     await page.evaluate(() => document.querySelector("#one")?.scrollIntoView({ block: "start" }));
