@@ -1,5 +1,5 @@
 //! Cost limits: every solver against the enumeration of all plans that cost no more, with costs of 0
-//! among them, and without costs against plans of at most so many actions.
+//! among them, and without costs against plans of at most N actions.
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
@@ -71,7 +71,7 @@ impl Priced {
         endings
     }
 
-    /// Every plan of exactly so many actions within the limit, one by one.
+    /// Every plan of exactly `length` actions within the limit, one by one.
     fn enumerate(&self, horizon: usize) -> BTreeSet<Ending> {
         let mut found = BTreeSet::new();
         self.descend(&Self::first(&self.judge.table), horizon, self.limit, &mut found);

@@ -121,6 +121,15 @@ fn expected(
     last
 }
 
+/// A table or a grid, by turns.
+fn drawn(dice: &mut Dice, case: usize) -> Judge {
+    if case.is_multiple_of(2) {
+        return Judge::new(table(dice, MEDIUM, &[Role::Adversarial, Role::Cooperative]));
+    }
+    let grid = gridworld::random(dice, 4);
+    Judge::of(gridworld::table(&grid), grid.problem().unwrap().into())
+}
+
 /// The fewest actions from a state of the set to one of the others.
 fn actions_between(table: &Table, from: Set, to: Set) -> Option<usize> {
     let (mut seen, mut actions) = (from, 0);
@@ -140,12 +149,7 @@ fn the_believed_state_that_is_nearest_to_a_goal() {
     let mut dice = Dice::new(11);
     let (mut near, mut never) = (0, 0);
     for case in 0..300 {
-        let judge = if case % 2 == 0 {
-            Judge::new(table(&mut dice, MEDIUM, &[Role::Adversarial, Role::Cooperative]))
-        } else {
-            let grid = gridworld::random(&mut dice, 4);
-            Judge::of(gridworld::table(&grid), grid.problem().unwrap().into())
-        };
+        let judge = drawn(&mut dice, case);
         let table = &judge.table;
         let plan = walk(&mut dice, table, 6);
         let steps = replay(table, &plan).unwrap();
@@ -177,12 +181,7 @@ fn the_last_states_that_would_have_led_to_a_goal() {
     let mut dice = Dice::new(10);
     let mut found_some = 0;
     for case in 0..300 {
-        let judge = if case % 2 == 0 {
-            Judge::new(table(&mut dice, MEDIUM, &[Role::Adversarial, Role::Cooperative]))
-        } else {
-            let grid = gridworld::random(&mut dice, 4);
-            Judge::of(gridworld::table(&grid), grid.problem().unwrap().into())
-        };
+        let judge = drawn(&mut dice, case);
         let table = &judge.table;
         let plan = walk(&mut dice, table, 6);
         let steps = replay(table, &plan).unwrap();

@@ -163,10 +163,10 @@ pub struct Asked {
     /// The first horizon; none for plans of any length.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub horizon: Option<usize>,
-    /// At least so many goals are left to the enemy.
+    /// At least N goals are left to the enemy.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub k: Option<usize>,
-    /// At most so many goals are left to the friend.
+    /// At most N goals are left to the friend.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub j: Option<usize>,
     /// The limit on expansions.

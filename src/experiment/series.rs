@@ -96,7 +96,7 @@ pub trait Attempt<S: Series>: Sync {
     /// MiB of states, beliefs and nodes that all jobs at work share.
     fn memory_mib(&self) -> u64;
 
-    /// Does a job with so many bytes of states, beliefs and nodes.
+    /// Does a job within this many bytes of states, beliefs and nodes.
     ///
     /// # Errors
     ///

@@ -53,7 +53,7 @@ impl Options {
         self
     }
 
-    /// The same for plans that cost at most this much, or have at most so many actions where the task has
+    /// The same for plans that cost at most this much, or have at most that number of actions where the task has
     /// no costs.
     #[must_use]
     pub fn with_cost_limit(mut self, limit: u64) -> Self {

@@ -19,6 +19,7 @@ pub use belief::TracedBelief;
 pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
 pub use nearest::{Nearest, nearest};
 pub use reachable_goals::ReachableGoals;
+pub(crate) use settle::open_goals;
 pub use settle::validate_within;
 pub use validator::{Achievement, InvalidPlan, check_cost, validate, validate_with};
 pub use witness::Witness;

@@ -1,7 +1,7 @@
 //! What a plan achieves, settled from both sides.
 //!
-//! A [walk](Witness) shows that a goal survives, and a [pairwise belief](crate::belief::pairwise) that it is dead. Only for an
-//! observer for whom these leave a goal open is the belief worked out, and only within limits.
+//! A [walk](Witness) shows that a goal survives, and a [pairwise belief](crate::belief::pairwise) that it is dead. Where these
+//! leave a goal open, the belief is worked out, and only within limits.
 
 use super::belief::TracedBelief;
 use super::validator::{Achievement, InvalidPlan};
@@ -52,7 +52,8 @@ pub fn validate_within(
                 alive.insert(witness.goal);
             }
         }
-        let mut open = open(problem, observer, &seen);
+        let updates = PairwiseUpdates::new(problem.task(), &observer.sensor);
+        let mut open = open_goals(problem, observer, updates.as_ref(), &seen);
         if alive.len() < open.len()
             && let Some(known) = known(problem, &replay.operators, observer, &seen, limits)
         {
@@ -67,11 +68,16 @@ pub fn validate_within(
     Ok(Achievement { survivors, counts, unsettled })
 }
 
-/// The goals that the pairs of values which an observer can believe do not rule out.
-fn open(problem: &Problem, observer: &Observer, seen: &[Symbol]) -> GoalSet {
+/// The goals that the pairs of values which an observer can believe after its symbols do not rule out: all of them where
+/// there are too many pairs.
+pub(crate) fn open_goals(
+    problem: &Problem,
+    observer: &Observer,
+    updates: Option<&PairwiseUpdates>,
+    seen: &[Symbol],
+) -> GoalSet {
     let task = problem.task();
-    let updates = PairwiseUpdates::new(task, &observer.sensor);
-    let belief = updates.as_ref().map(|updates| {
+    let belief = updates.map(|updates| {
         let first = updates.of_states(task, &observer.initial_belief);
         let last = seen.iter().fold(first, |belief, symbol| updates.update(&belief, *symbol));
         (updates, last)

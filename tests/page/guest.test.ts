@@ -436,7 +436,7 @@ test("each attribute is a property that reflects it, and no other name of the el
         if (element.hasAttribute(name) || Reflect.get(element, property) !== nothing)
           wrong.push(`${name} is not taken away`);
       }
-      // What is the element's own business has names that nobody meets.
+      // What is the element's own business has private names.
       const own = Object.getOwnPropertyNames(element);
       if (own.join() !== "ready") wrong.push(`its own: ${own}`);
       Reflect.set(element, "exercise", { kind: "best" });

@@ -127,10 +127,10 @@ pub struct BenchmarkArgs {
     /// This solver. May be given several times [default: satisficing, search, exact, baseline].
     #[arg(long, value_name = "SOLVER", value_parser = crate::cli::args::solver)]
     pub solver: Vec<Solver>,
-    /// At least so many goals are left to the enemy [default: half of them, at least 2].
+    /// At least N goals are left to the enemy [default: half of them, at least 2].
     #[arg(long, value_name = "N")]
     pub k: Option<usize>,
-    /// At most so many goals are left to the friend [default: half of them, at least 2].
+    /// At most N goals are left to the friend [default: half of them, at least 2].
     #[arg(long, value_name = "N")]
     pub j: Option<usize>,
     /// The symbol that the enemy sees of each action of an imported problem, as a template.
@@ -155,7 +155,7 @@ pub struct BenchmarkArgs {
     /// Expansions of each solver on each problem [default: no limit].
     #[arg(long, value_name = "N")]
     pub expansions: Option<u64>,
-    /// Stop each solver after so many seconds of work, looked at between two steps; none for no limit.
+    /// Stop each solver after this many seconds of work, looked at between two steps; none for no limit.
     /// One that does not stop is ended 5 s later, reading included. Where the limit is met, the record
     /// says so and depends on the machine.
     #[arg(long, value_name = "SECONDS", default_value_t = TimeLimit(BenchmarkLimits::default().seconds))]

@@ -105,7 +105,7 @@ fn wait(child: &mut Child, longest: Option<Duration>, stop: &AtomicBool) -> std:
     }
 }
 
-/// Whether somebody asks for the run to stop, at once or soon.
+/// Whether the run is to stop, at once or soon.
 fn heard(stop: &AtomicBool) -> bool {
     let begin = Instant::now();
     while !stop.load(Ordering::SeqCst) && begin.elapsed() < SOON {
@@ -174,7 +174,7 @@ mod tests {
         let mut child = Command::new("sh").args(["-c", command]).spawn().unwrap();
         let begin = Instant::now();
         let end = wait(&mut child, longest, &AtomicBool::new(stop)).unwrap();
-        assert!(begin.elapsed() < Duration::from_secs(50), "nobody waits for the process");
+        assert!(begin.elapsed() < Duration::from_secs(50), "the process was waited for");
         assert!(child.try_wait().unwrap().is_some(), "the process is gone");
         end
     }

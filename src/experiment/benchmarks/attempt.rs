@@ -18,7 +18,7 @@ pub fn time_limit(seconds: u64) -> String {
     format!("time limit reached: {seconds} s")
 }
 
-/// Benchmarks with somebody who reads them: a document of a problem's path, or why there is none.
+/// Benchmarks with what reads their problems: a document of a problem's path, or why there is none.
 pub struct BenchmarkRun<'a, R> {
     /// What the run is about.
     pub benchmarks: &'a Benchmarks,

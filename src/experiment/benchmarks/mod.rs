@@ -127,7 +127,7 @@ impl Benchmarks {
         Ok(())
     }
 
-    /// k and j for a problem with so many candidate goals: half of them, rounded up, and 2 at least,
+    /// k and j for a problem with N candidate goals: half of them, rounded up, and 2 at least,
     /// unless the run says otherwise.
     pub fn bounds(&self, goals: usize) -> Bounds {
         let half = goals.div_ceil(2).max(2);

@@ -1,5 +1,5 @@
 //! Cost-bounded exploration: the best plan, every reachable pair or the best of each length among the
-//! plans that cost at most so much.
+//! plans within a cost limit.
 //!
 //! What a plan achieves depends on the node (state, beliefs) it ends in, and what can still be done there
 //! on what is left of the cost limit. So a node is met with *labels*, each with the cost of a way to it,
@@ -134,7 +134,7 @@ impl CostBounded {
         }
     }
 
-    /// Meets a node after so many actions, at a cost.
+    /// Meets a node after `steps` actions, at a cost.
     fn meet(&mut self, reach: &Reach, label: Label, steps: usize) {
         let state = label.node.state;
         let left = self.cost_limit - label.cost;

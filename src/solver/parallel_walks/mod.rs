@@ -34,7 +34,7 @@ use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, Role};
 use crate::sensor::Symbol;
 use crate::task::StateId;
-use crate::trace::Witness;
+use crate::trace::{Witness, open_goals};
 
 /// States of the walkers' beams at first, at most. Where no route has enough walks they are widened (iterative broadening:
 /// Ginsberg and Harvey 1992).
@@ -214,17 +214,9 @@ impl ParallelWalks {
     }
 
     fn pairs_keep_bounds(&self, friend: usize, seen: &[Symbol]) -> bool {
-        let Some(updates) = &self.pairs[friend] else { return false };
         let problem = self.joint.problem();
-        let (task, first) = (problem.task(), &problem.observers()[friend].initial_belief);
-        let first = updates.of_states(task, first);
-        let last = seen.iter().fold(first, |belief, symbol| updates.update(&belief, *symbol));
-        let mut open = GoalSet::none(problem.goals().len());
-        for (goal, candidate) in problem.goals().iter().enumerate() {
-            if updates.may_satisfy(task, &last, &candidate.condition) {
-                open.insert(goal);
-            }
-        }
+        let observer = &problem.observers()[friend];
+        let open = open_goals(problem, observer, self.pairs[friend].as_ref(), seen);
         self.keeps(friend, &open)
     }
 

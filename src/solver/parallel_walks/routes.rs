@@ -3,7 +3,7 @@
 //! A longer plan leaves more walks that look the same. The direct route comes first, then those through one other goal, then
 //! those through two.
 
-/// The routes of a problem with so many goals, each a list of goals that ends in the true one.
+/// The routes of a problem with this number of goals, each a list of goals that ends in the true one.
 pub(super) fn routes(goals: usize, true_goal: usize) -> impl Iterator<Item = Vec<usize>> {
     let others = move || (0..goals).filter(move |&goal| goal != true_goal);
     let direct = std::iter::once(vec![true_goal]);

@@ -28,7 +28,7 @@ export abstract class PlaygroundElement extends Base {
   /** Settles once the first picture is drawn, or cannot be. */
   readonly ready: Promise<this>;
 
-  // Names that nobody outside meets: a framework sets a property wherever the element has one of an attribute's name.
+  // Private names: a framework sets a property wherever the element has one of an attribute's name.
   #view: View | null = null;
   #settleReady: () => void = () => {};
   #settleDrawn: () => void = () => {};

@@ -37,7 +37,7 @@ export interface Chosen {
 
 export interface Subject {
   observer: Role;
-  /** The question is about so many steps. */
+  /** How many steps the question is about. */
   step: number;
   place: Place;
   goal: string;
