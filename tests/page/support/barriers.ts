@@ -29,6 +29,8 @@ export async function assertNoBarrier(page: Page, state: string, { within, dark 
   if (!dark) return;
   await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
   assert.equal(await page.evaluate(() => matchMedia("(prefers-color-scheme: dark)").matches), true);
+  // Scripts are told in the next frame.
+  await page.evaluate(() => new Promise((told) => requestAnimationFrame(() => requestAnimationFrame(told))));
   const inDark = await look(page, within, { type: "rule", values: colours });
   assertNone(inDark.violations, `${state}, dark`);
   assert(
