@@ -18,6 +18,7 @@
 mod algorithm1;
 mod baseline;
 mod classical;
+mod conclude;
 mod cost_limited;
 // What the tests outside of the crate share, once for all tests inside.
 #[cfg(test)]

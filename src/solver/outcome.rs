@@ -108,6 +108,14 @@ impl Stats {
         self.settled_by_pairs += earlier.settled_by_pairs;
         self.settled_by_beliefs += earlier.settled_by_beliefs;
     }
+
+    /// Adds the work of another engine on the same question; of sizes the greater counts.
+    pub(crate) fn add_engine(&mut self, other: &Self) {
+        self.add_work(other);
+        self.states = self.states.max(other.states);
+        self.beliefs = self.beliefs.max(other.beliefs);
+        self.belief_size = self.belief_size.max(other.belief_size);
+    }
 }
 
 /// What is known while a solver is at work.

@@ -4,15 +4,15 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::limits::LimitReached;
-use crate::plan::PlanError;
 use crate::problem::Problem;
-use crate::trace::{Achievement, InvalidPlan, check_cost, validate_with, validate_within};
+use crate::trace::validate_with;
 
+use super::conclude::conclude;
 use super::engine::{Advance, Engine, Finding};
 use super::error::SolveError;
 use super::ground::shortest_length::{Reached, Shortest};
 use super::optimiser::Optimiser;
-use super::outcome::{LengthPoint, Outcome, Progress, ReachablePair, Stats, Status};
+use super::outcome::{Outcome, Progress, Stats, Status};
 use super::{Horizon, Options, Solver};
 #[cfg(feature = "full")]
 use super::{
@@ -20,7 +20,7 @@ use super::{
     cost_limited::CostLimited,
     explorer::{Explorer, Lengths, cost_bounded::CostBounded},
     ip,
-    portfolio::Portfolio,
+    portfolio::{BestPlan, Portfolio},
 };
 
 /// How many expansions or nodes [`solve`] does between two reports. Few, since a single one can
@@ -34,10 +34,6 @@ fn slice(solver: Solver) -> u64 {
         }
     }
 }
-
-/// Bytes of the belief of an observer whose bounds walks or pairs have settled: all that it still tells is which of the other
-/// goals survive.
-const BYTES_OF_DETAILS: u64 = 32 << 20;
 
 /// A solver at work.
 ///
@@ -131,6 +127,8 @@ impl Run {
             (Solver::Exact, horizon) if options.cost_limit.is_some() => {
                 Box::new(CostLimited::new(problem, options, horizon))
             }
+            #[cfg(feature = "full")]
+            (Solver::Exact, None) => Box::new(BestPlan::new(problem, options)),
             (Solver::Exact, horizon) => Box::new(Optimiser::new(problem, options, horizon)),
             // `new` has refused them.
             #[cfg(not(feature = "full"))]
@@ -298,7 +296,7 @@ fn explore(problem: Arc<Problem>, options: &Options, lengths: Lengths) -> Box<dy
 ///
 /// [`SolveError::Replay`] when its plan does not do what its solver says.
 pub fn abandoned(
-    problem: &Problem,
+    problem: &Arc<Problem>,
     options: &Options,
     progress: Option<&Progress>,
 ) -> Result<Outcome, SolveError> {
@@ -314,103 +312,6 @@ pub fn abandoned(
     finding.bound = progress.and_then(|progress| progress.bound);
     finding.witnesses = progress.map(|progress| progress.witnesses.clone()).unwrap_or_default();
     conclude(problem, options, horizon, &finding, stats)
-}
-
-/// Replays what was found and puts the answer together.
-fn conclude(
-    problem: &Problem,
-    options: &Options,
-    horizon: Option<usize>,
-    finding: &Finding,
-    stats: Stats,
-) -> Result<Outcome, SolveError> {
-    let bounds = options.heeded_bounds();
-    let mut outcome = Outcome {
-        status: finding.status,
-        solver: options.solver,
-        encoding: (options.solver == Solver::Ip).then_some(options.encoding),
-        horizon,
-        plan: None,
-        survivors: None,
-        unsettled: None,
-        goal_difference: None,
-        bound: finding.bound,
-        length_proved: finding.length_proved,
-        // Of a run that was stopped, what is known.
-        pairs: options.pairs.then(Vec::new),
-        lengths: None,
-        cost_limit: options.cost_limit,
-        limit: finding.limit,
-        stats,
-    };
-    let replay = |plan| {
-        // What a proof rests on is worked out in full.
-        let achieved = if finding.status == Status::Solved && !finding.witnesses.is_empty() {
-            let limits = options.limits.with_bytes(options.limits.bytes.min(BYTES_OF_DETAILS));
-            validate_within(problem, plan, &finding.witnesses, limits)
-        } else {
-            validate_with(problem, plan, &finding.witnesses)
-        };
-        let achieved: Achievement = achieved.map_err(|error| match error {
-            InvalidPlan::Step(PlanError::TooLarge { .. }) => SolveError::TooLargeToReplay,
-            error => SolveError::Replay(error.to_string()),
-        })?;
-        if !bounds.allow(achieved.counts, &achieved.survivors) {
-            return Err(SolveError::Replay("it breaks the bounds".to_owned()));
-        }
-        if horizon.is_some_and(|horizon| horizon != plan.len()) {
-            return Err(SolveError::Replay("it has another length than asked for".to_owned()));
-        }
-        check_cost(problem, plan, options.cost_limit)
-            .map_err(|error| SolveError::Replay(error.to_string()))?;
-        Ok(achieved)
-    };
-    if let Some(plan) = &finding.plan {
-        let achieved = match replay(plan) {
-            // What it achieves is not known then.
-            Err(SolveError::TooLargeToReplay) => {
-                outcome.status = Status::Limit;
-                outcome.length_proved = None;
-                let limit_mib = options.limits.bytes >> 20;
-                outcome.limit = Some(LimitReached::Memory { limit_mib });
-                return Ok(outcome);
-            }
-            achieved => achieved?,
-        };
-        if options.pairs && finding.pairs.is_none() {
-            let point = ReachablePair { counts: achieved.counts, plan: plan.clone() };
-            outcome.pairs = Some(vec![point]);
-        }
-        outcome.horizon = Some(plan.len());
-        outcome.goal_difference = Some(problem.goal_difference(achieved.counts));
-        if finding.status == Status::Optimal {
-            outcome.bound = outcome.goal_difference;
-        }
-        if achieved.unsettled.iter().any(|goals| !goals.is_empty()) {
-            outcome.unsettled = Some(achieved.unsettled);
-        }
-        outcome.survivors = Some(achieved.survivors);
-        outcome.plan = Some(plan.clone());
-    }
-    if let Some(points) = &finding.pairs {
-        for point in points {
-            if replay(&point.plan)?.counts != point.counts {
-                return Err(SolveError::Replay("a pair of counts is wrong".to_owned()));
-            }
-        }
-        outcome.pairs = Some(points.clone());
-    }
-    if let Some(points) = &finding.lengths {
-        for LengthPoint { length, best } in points {
-            if let Some(best) = best
-                && (replay(&best.plan)?.counts != best.counts || best.plan.len() != *length)
-            {
-                return Err(SolveError::Replay(format!("the best of length {length} is wrong")));
-            }
-        }
-        outcome.lengths = Some(points.clone());
-    }
-    Ok(outcome)
 }
 
 /// Solves a problem. `progress` is told now and then how far the work is, and may break it off;

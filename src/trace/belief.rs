@@ -15,6 +15,34 @@ use crate::task::{Fact, State, Task};
 /// Bytes of the diagrams of earlier beliefs, and of what was worked out for them, after which they are let go.
 const BYTES_BEFORE_FORGETTING: u64 = 128 << 20;
 
+/// What a replay may take.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Budget {
+    pub limits: Limits,
+    /// Nodes of decision diagrams that are made, of all beliefs together.
+    pub nodes: usize,
+}
+
+/// Nodes of the diagrams of a replay: some tens of seconds.
+const MOST_NODES: usize = 20_000_000;
+/// The same where only details are looked for: about a second.
+const NODES_OF_DETAILS: usize = 1_000_000;
+/// Bytes of these.
+const BYTES_OF_DETAILS: u64 = 32 << 20;
+
+impl Budget {
+    /// For an answer that has to be known in full.
+    pub(super) fn full() -> Self {
+        Self { limits: Limits::default(), nodes: MOST_NODES }
+    }
+
+    /// For what is nice to know.
+    pub(super) fn of_details(limits: Limits) -> Self {
+        let limits = limits.with_bytes(limits.bytes.min(BYTES_OF_DETAILS));
+        Self { limits, nodes: NODES_OF_DETAILS }
+    }
+}
+
 /// A set of states that an observer holds possible, in one of two forms with the same answers.
 #[derive(Debug, Clone)]
 pub struct TracedBelief(Form);
@@ -133,7 +161,7 @@ impl TracedBelief {
         sensor: &Sensor,
         seen: Symbol,
         most: usize,
-        limits: Limits,
+        budget: &mut Budget,
     ) -> Result<(), LimitReached> {
         if let Form::Listed(states) = &mut self.0 {
             let mut next: FxHashSet<Box<[u64]>> = FxHashSet::default();
@@ -153,14 +181,18 @@ impl TracedBelief {
                 states.sort_unstable();
                 return Ok(());
             }
-            let mut diagrams = Diagrams::new(Arc::clone(task), limits);
+            let mut diagrams = Diagrams::new(Arc::clone(task), budget.limits);
             let set = diagrams.of_states(states)?;
             let relations = SymbolRelations::new(task, sensor);
             self.0 = Form::Diagram(Box::new(Unlisted { diagrams, relations, set }));
         }
         if let Form::Diagram(unlisted) = &mut self.0 {
             let Unlisted { diagrams, relations, set } = &mut **unlisted;
+            let before = diagrams.len();
+            diagrams.allow(budget.nodes);
             *set = relations.update(diagrams, *set, seen)?;
+            budget.nodes = budget.nodes.saturating_sub(diagrams.len() - before);
+            diagrams.allow(usize::MAX);
             // Earlier beliefs are not met again.
             if diagrams.bytes() + relations.bytes() > BYTES_BEFORE_FORGETTING {
                 (*diagrams, *set) = diagrams.alone(*set)?;

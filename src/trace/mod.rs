@@ -15,19 +15,21 @@ mod tests;
 mod validator;
 mod witness;
 
+use belief::Budget;
+
 pub use belief::TracedBelief;
 pub use elimination::{Elimination, MAX_LISTED, Missed, elimination};
 pub use nearest::{Nearest, nearest};
 pub use reachable_goals::ReachableGoals;
 pub(crate) use settle::open_goals;
 pub use settle::validate_within;
+pub(crate) use validator::validate_quickly;
 pub use validator::{Achievement, InvalidPlan, check_cost, validate, validate_with};
 pub use witness::Witness;
 
 use crate::belief::StateCount;
 use crate::belief::diagram::suits;
 use crate::goal_difference::GoalSet;
-use crate::limits::Limits;
 use crate::plan::{Plan, PlanError, execute};
 use crate::problem::{Observer, Problem};
 use crate::sensor::Symbol;
@@ -125,6 +127,7 @@ struct Replay<'a> {
     beliefs: Vec<TracedBelief>,
     /// The most states of a belief that is listed.
     listed: usize,
+    budget: Budget,
     /// By observer: every goal is known to survive in the end, so that its beliefs are left as they were.
     all_alive: Vec<bool>,
 }
@@ -140,7 +143,8 @@ impl<'a> Replay<'a> {
         // Where no diagram is affordable, all beliefs are listed.
         let listed = if suits(task) { crate::limits::LISTED_STATES } else { usize::MAX };
         let all_alive = vec![false; problem.observers().len()];
-        Ok(Self { problem, operators, path, states, at: 0, beliefs, listed, all_alive })
+        let budget = Budget::full();
+        Ok(Self { problem, operators, path, states, at: 0, beliefs, listed, budget, all_alive })
     }
 
     /// What an observer sees of the plan.
@@ -181,6 +185,12 @@ impl<'a> Replay<'a> {
         self.beliefs.iter().zip(&self.all_alive).map(of).collect()
     }
 
+    /// Whether the beliefs that are listed are more states than are kept.
+    fn lists_too_many(&self) -> bool {
+        let listed = |belief: &TracedBelief| belief.as_list().map_or(0, <[State]>::len);
+        self.beliefs.iter().map(listed).sum::<usize>() > MAX_STATES
+    }
+
     fn reaches_goal(&self) -> bool {
         let task = self.problem.task();
         self.states.last().is_some_and(|state| task.satisfies(state.words(), task.goal()))
@@ -198,13 +208,26 @@ impl<'a> Replay<'a> {
             let seen = sensor.read(task, operator, self.states[self.at].words());
             if !all_alive {
                 belief
-                    .update(task, &self.operators, sensor, seen, self.listed, Limits::default())
+                    .update(task, &self.operators, sensor, seen, self.listed, &mut self.budget)
                     .map_err(|_| PlanError::TooLarge { step: self.at })?;
             }
             symbols.push(Some(sensor.name(seen).to_owned()));
         }
         Ok(Some(symbols))
     }
+}
+
+/// What every observer sees of a plan that solves the problem.
+///
+/// # Errors
+///
+/// [`InvalidPlan`] when it does not.
+pub(crate) fn symbols(problem: &Problem, plan: &Plan) -> Result<Vec<Vec<Symbol>>, InvalidPlan> {
+    let replay = Replay::new(problem, plan)?;
+    if !replay.reaches_goal() {
+        return Err(InvalidPlan::MissesGoal);
+    }
+    Ok(problem.observers().iter().map(|observer| replay.symbols(observer)).collect())
 }
 
 /// Replays a plan and keeps every step.
@@ -283,8 +306,7 @@ pub fn pass(
     let mut replay = Replay::new(problem, plan)?;
     let mut seen = Some(vec![None; problem.observers().len()]);
     while let Some(symbols) = seen {
-        let listed = |belief: &TracedBelief| belief.as_list().map_or(0, <[State]>::len);
-        if replay.beliefs.iter().map(listed).sum::<usize>() > MAX_STATES {
+        if replay.lists_too_many() {
             return Err(PlanError::TooManyStates { step: replay.at, limit: MAX_STATES });
         }
         visit(Passing {

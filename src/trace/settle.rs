@@ -3,7 +3,7 @@
 //! A [walk](Witness) shows that a goal survives, and a [pairwise belief](crate::belief::pairwise) that it is dead. Where these
 //! leave a goal open, the belief is worked out, and only within limits.
 
-use super::belief::TracedBelief;
+use super::belief::{Budget, TracedBelief};
 use super::validator::{Achievement, InvalidPlan};
 use super::witness::Witness;
 use super::{OperatorsByFact, Replay};
@@ -104,9 +104,12 @@ fn known(
 ) -> Option<GoalSet> {
     let task = problem.task();
     let diagrams = suits(task);
+    let mut budget = Budget::of_details(limits);
     let mut belief = TracedBelief::listed(observer.initial_belief.clone());
     for &symbol in seen {
-        belief.update(task, operators, &observer.sensor, symbol, LISTED_STATES, limits).ok()?;
+        belief
+            .update(task, operators, &observer.sensor, symbol, LISTED_STATES, &mut budget)
+            .ok()?;
         if !diagrams && belief.as_list().is_none() {
             return None;
         }

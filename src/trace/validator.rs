@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::Replay;
+use super::belief::Budget;
 use super::witness::Witness;
 use crate::goal_difference::GoalSet;
 use crate::plan::{Plan, PlanError};
@@ -18,6 +19,13 @@ pub struct Achievement {
     /// By observer the goals of which it is not known whether they survive, where a limit came before that: they are among
     /// the survivors of a friend and not among those of an enemy.
     pub unsettled: Vec<GoalSet>,
+}
+
+impl Achievement {
+    /// Whether it is known of every goal and observer.
+    pub(crate) fn is_settled(&self) -> bool {
+        self.unsettled.iter().all(GoalSet::is_empty)
+    }
 }
 
 /// Why a plan is no solution.
@@ -82,12 +90,31 @@ pub fn validate_with(
     plan: &Plan,
     witnesses: &[Witness],
 ) -> Result<Achievement, InvalidPlan> {
+    replayed(Replay::new(problem, plan)?, witnesses)
+}
+
+/// The same as [`validate`], where it takes no longer than details may.
+///
+/// # Errors
+///
+/// [`InvalidPlan`] when the plan does not solve the task, [`PlanError::TooLarge`] when it takes longer.
+pub(crate) fn validate_quickly(problem: &Problem, plan: &Plan) -> Result<Achievement, InvalidPlan> {
     let mut replay = Replay::new(problem, plan)?;
+    replay.budget = Budget::of_details(replay.budget.limits);
+    replayed(replay, &[])
+}
+
+fn replayed(mut replay: Replay<'_>, witnesses: &[Witness]) -> Result<Achievement, InvalidPlan> {
     if !replay.reaches_goal() {
         return Err(InvalidPlan::MissesGoal);
     }
     replay.leave_out_all_alive(witnesses);
-    while replay.step()?.is_some() {}
+    while replay.step()?.is_some() {
+        if replay.lists_too_many() {
+            return Err(PlanError::TooLarge { step: replay.at }.into());
+        }
+    }
+    let problem = replay.problem;
     let survivors = replay.survivors();
     let counts = problem.survivor_counts(&survivors);
     let unsettled = vec![GoalSet::none(problem.goals().len()); survivors.len()];

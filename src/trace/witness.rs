@@ -20,7 +20,7 @@ pub struct Witness {
 
 impl Witness {
     /// Whether the walk can be taken, shows these symbols and ends in its goal. Linear in its length.
-    pub(super) fn holds(&self, problem: &Problem, seen: &[Symbol]) -> bool {
+    pub(crate) fn holds(&self, problem: &Problem, seen: &[Symbol]) -> bool {
         let (Some(observer), Some(goal)) =
             (problem.observers().get(self.observer), problem.goals().get(self.goal))
         else {

@@ -50,6 +50,8 @@ pub struct Diagrams {
     /// How many states the first sets have, `u64::MAX` for as many or more. A node is numbered after those below it.
     pub(super) counts: Vec<u64>,
     limits: Limits,
+    /// The most sets that there may be.
+    most: usize,
     since_check: u32,
 }
 
@@ -70,8 +72,15 @@ impl Diagrams {
             unions: FxHashMap::default(),
             counts: vec![0, 1],
             limits,
+            most: usize::MAX,
             since_check: 0,
         }
+    }
+
+    /// Allows about so many new nodes from here on, and no more: a limit of time that does not depend on the machine. More
+    /// of them are [`LimitReached::Memory`].
+    pub(crate) fn allow(&mut self, nodes: usize) {
+        self.most = self.len().saturating_add(nodes);
     }
 
     /// The task whose states the sets hold.
@@ -98,6 +107,9 @@ impl Diagrams {
     ///
     /// [`LimitReached::Memory`] when they outgrow it.
     pub(super) fn check(&self, others: u64) -> Result<(), LimitReached> {
+        if self.len() > self.most {
+            return Err(LimitReached::Memory { limit_mib: self.limits.bytes >> 20 });
+        }
         self.limits.check_bytes(self.bytes() + others)
     }
 
@@ -108,7 +120,7 @@ impl Diagrams {
     }
 
     /// How many sets there are.
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.ends.len()
     }
 

@@ -59,6 +59,8 @@ pub(in crate::solver) struct Optimiser {
     witnesses: Vec<Witness>,
     /// Whether the best plan is known to be a shortest one of its value.
     length_proved: bool,
+    /// The best plan is from elsewhere, and whether a bound proves it has not been looked at.
+    learned: bool,
     schedule: Schedule,
     /// How many of the questions have been asked.
     asked: usize,
@@ -105,6 +107,7 @@ impl Optimiser {
             best: None,
             witnesses: Vec::new(),
             length_proved: false,
+            learned: false,
             schedule: Schedule::default(),
             asked: 0,
             expansions: 0,
@@ -132,6 +135,56 @@ impl Optimiser {
             sampled: None,
             tried_samples: false,
         }))
+    }
+
+    /// Whether a plan was found.
+    pub(in crate::solver) fn has_plan(&self) -> bool {
+        self.best.is_some()
+    }
+
+    /// Whether none was found with so much work, or with samples where beliefs have outgrown their lists.
+    pub(in crate::solver) fn lacks_plan(&self, work_without_plan: u64) -> bool {
+        let tried = self.work.as_ref().is_some_and(|work| {
+            let spent = self.expansions + work.space.touched;
+            let finds = matches!(work.stage, Stage::Find(_));
+            spent >= work_without_plan || finds && work.tried_samples
+        });
+        self.best.is_none() && tried
+    }
+
+    /// Gives the memory back. What is proved stays; there is no going on.
+    pub(in crate::solver) fn leave_off(&mut self) {
+        let Stats { generated, .. } = self.stats();
+        (self.generated, self.work) = (generated, None);
+    }
+
+    /// Takes a plan from elsewhere for the best one, where it is better than what is known.
+    pub(in crate::solver) fn learn(
+        &mut self,
+        counts: SurvivorCounts,
+        plan: Plan,
+        witnesses: Vec<Witness>,
+    ) {
+        let known = self.best.as_ref().map(|(counts, _)| counts.difference());
+        if known.is_some_and(|known| known >= counts.difference()) {
+            return;
+        }
+        if let Some(Work {
+            stage: Stage::Find(search) | Stage::Sample(search) | Stage::Prove(search, _),
+            ..
+        }) = self.work.as_deref_mut()
+        {
+            search.aim = search.aim.max(counts.difference() + 1);
+        }
+        self.best = Some((counts, plan));
+        self.witnesses = witnesses;
+        self.learned = true;
+    }
+
+    /// So many expansions fewer are left.
+    pub(in crate::solver) fn lower_limit(&mut self, expansions: u64) {
+        let limit = &mut self.options.limits.expansions;
+        *limit = limit.saturating_sub(expansions);
     }
 
     /// How good plans are looked for.
@@ -254,6 +307,9 @@ impl Optimiser {
 
     /// One step of the search at work; true when the answer is there.
     fn step(&mut self, work: &mut Work) -> Result<bool, LimitReached> {
+        if std::mem::take(&mut self.learned) && self.is_proved() {
+            return Ok(self.shorten(work));
+        }
         if self.ask(work)? {
             return Ok(self.is_proved()
                 && matches!(work.stage, Stage::Find(_) | Stage::Sample(_))

@@ -95,6 +95,40 @@ pub(in crate::solver) fn suits(problem: &Problem, bounds: &Bounds, horizon: Opti
             .all(|w| role(w.observer) == Role::Adversarial || w.goal == true_goal)
 }
 
+/// The values of states that may be worked out for the walks beside a plan: some seconds.
+const EVALUATIONS_BESIDE: u64 = 400_000;
+
+/// Walks beside a plan from elsewhere: for each enemy and goal one, where it was found.
+pub(in crate::solver) fn beside(
+    problem: &Arc<Problem>,
+    plan: &Plan,
+    limits: Limits,
+) -> Vec<Witness> {
+    let Ok(symbols) = crate::trace::symbols(problem, plan) else { return Vec::new() };
+    let mut joint = JointSpace::new(Arc::clone(problem), limits);
+    joint.keep_listed();
+    let mut estimates = GoalEstimates::new(&joint);
+    let mut found = Vec::new();
+    for (place, (observer, seen)) in problem.observers().iter().zip(&symbols).enumerate() {
+        let goals = 0..problem.goals().len();
+        for goal in goals.filter(|&goal| goal != problem.true_goal()) {
+            let bytes = joint.bytes() + estimates.bytes();
+            if observer.role == Role::Cooperative
+                || estimates.worked_out > EVALUATIONS_BESIDE
+                || limits.check_bytes(bytes).is_err()
+            {
+                continue;
+            }
+            let mut walkers = Walkers::new(&mut joint, &mut estimates, (place, goal), WIDTH);
+            if let Some((start, actions)) = walkers.walk(&mut joint, &mut estimates, seen) {
+                let start = joint.states().state(start);
+                found.push(Witness { observer: place, goal, start, actions });
+            }
+        }
+    }
+    found
+}
+
 impl ParallelWalks {
     pub(in crate::solver) fn new(problem: &Arc<Problem>, options: &Options) -> Self {
         let mut joint = JointSpace::new(Arc::clone(problem), options.limits);

@@ -51,6 +51,31 @@ fn plans_keep_the_bounds_and_witnesses_hold_on_random_problems() {
 }
 
 #[test]
+fn walks_beside_any_plan_hold_and_show_what_survives() {
+    let mut dice = Dice::new(91);
+    let (mut found, mut alive) = (0, 0);
+    for _ in 0..2_000 {
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, &PAIR), 0);
+        let options = Options::new(Solver::Baseline);
+        let solve = crate::solver::solve(Arc::clone(&judge.problem), options, |_| {
+            std::ops::ControlFlow::Continue(())
+        });
+        let Some(plan) = solve.unwrap().plan else { continue };
+        let full = validate(&judge.problem, &plan).unwrap();
+        let witnesses = beside(&judge.problem, &plan, Limits::default());
+        let seen = crate::trace::symbols(&judge.problem, &plan).unwrap();
+        for witness in &witnesses {
+            assert!(witness.holds(&judge.problem, &seen[witness.observer]));
+            assert!(full.survivors[witness.observer].contains(witness.goal));
+        }
+        found += witnesses.len();
+        alive += full.survivors[0].len() - 1;
+        assert_eq!(crate::trace::validate_quickly(&judge.problem, &plan).unwrap(), full);
+    }
+    assert!(found > 500 && found == alive, "{found} of {alive}");
+}
+
+#[test]
 fn drawn_logistics_and_driverlog_mostly_have_walks() {
     for domain in [Domain::Logistics, Domain::Driverlog] {
         let mut found = 0;

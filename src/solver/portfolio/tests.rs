@@ -5,6 +5,7 @@ use crate::problem::Role;
 use crate::solver::Solver;
 use crate::solver::common::random::{self, MEDIUM, PAIR};
 use crate::solver::common::{Dice, Judge, Wish, oracle};
+use crate::trace::validate;
 
 /// Runs a portfolio to its end, `budget` at a time: its plan, and whether the optimiser had a turn.
 fn run(
@@ -102,4 +103,70 @@ fn after_a_limit_of_the_optimiser_algorithm_1_goes_on() {
         assert_eq!(finding.plan.is_some(), possible);
     }
     assert!(alone > 50, "{alone}");
+}
+
+/// Runs exact search with a first plan from elsewhere to its end: the finding, or what it is stopped with at a limit.
+fn best(mut engine: BestPlan, budget: u64) -> (Finding, bool) {
+    let mut learned = false;
+    for _ in 0..1_000_000 {
+        let before = engine.has_plan();
+        match engine.advance(budget) {
+            Ok(Advance::Working) => learned |= !before && engine.learns(),
+            Ok(Advance::Finished(finding)) => return (finding, learned),
+            Err(limit) => return (engine.stop(limit), learned),
+        }
+    }
+    panic!("no end");
+}
+
+#[test]
+fn a_first_plan_from_elsewhere_changes_no_best_value() {
+    let mut dice = Dice::new(83);
+    let mut learned = 0;
+    for round in 0..4_000 {
+        let third = [Role::Adversarial, Role::Cooperative, Role::Adversarial];
+        let roles = if round % 8 == 0 { &third[..] } else { &PAIR[..] };
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, roles), 0);
+        let wish = random::wish(&mut dice, &judge.table);
+        let options = Judge::options(Solver::Exact, None, &wish);
+        let nodes = dice.pick(&[0, 1, 10]);
+        let engine = || BestPlan::with(0, nodes, Arc::clone(&judge.problem), &options, &options);
+        let (finding, first) = best(engine(), 1);
+        learned += usize::from(first);
+        let most = oracle::best(&judge.table, judge.endings().keys(), &wish);
+        let plan = finding.plan.as_ref();
+        let worth = plan.map(|plan| {
+            assert!(wish.allows(&judge.table, &judge.ending(plan)));
+            let achieved = validate(&judge.problem, plan).unwrap();
+            achieved.counts.difference()
+        });
+        assert_eq!(worth, most);
+        let proved = if most.is_some() { Status::Optimal } else { Status::Infeasible };
+        assert_eq!(finding.status, proved);
+        assert_eq!(best(engine(), 50).0.plan, finding.plan, "slices change nothing");
+    }
+    assert!(learned > 100, "{learned}");
+}
+
+#[test]
+fn where_the_optimiser_has_no_memory_there_is_a_first_plan() {
+    let mut dice = Dice::new(84);
+    let mut found = 0;
+    for _ in 0..500 {
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, &PAIR), 0);
+        let wish = random::wish(&mut dice, &judge.table);
+        let options = Judge::options(Solver::Exact, None, &wish);
+        let mut little = options.clone();
+        little.limits.bytes = 0;
+        let problem = Arc::clone(&judge.problem);
+        let (finding, _) = best(BestPlan::with(u64::MAX, 1_000, problem, &options, &little), 1);
+        let possible = judge.endings().keys().any(|ending| wish.allows(&judge.table, ending));
+        assert_eq!(finding.plan.is_some(), possible);
+        if let Some(plan) = &finding.plan {
+            assert!(wish.allows(&judge.table, &judge.ending(plan)));
+            assert_ne!(finding.status, Status::Infeasible);
+            found += usize::from(finding.status == Status::Feasible);
+        }
+    }
+    assert!(found > 50, "{found}");
 }
