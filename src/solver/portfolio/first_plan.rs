@@ -1,5 +1,4 @@
-//! The means of the portfolio that look for a first plan and prove little: Algorithm 1 for a number of nodes, then parallel
-//! walks.
+//! The means of the portfolio that look for a first plan and prove little: Algorithm 1 and parallel walks, in turns.
 
 use std::sync::Arc;
 
@@ -10,32 +9,39 @@ use crate::solver::outcome::{Progress, Stats};
 use crate::solver::parallel_walks::{self, ParallelWalks};
 use crate::solver::{Options, algorithm1};
 
-/// The nodes that Algorithm 1 may take from its open list (whether it expands, defers or drops them).
+/// The nodes that Algorithm 1 may take from its open list at first (whether it expands, defers or drops them).
 /// Few searches that find a plan at all take more in a small state space, and the tables of the optimiser cost more than
 /// as many nodes.
 pub(super) const GREEDY_NODES: u64 = 2_000;
 
-/// The values of states that the parallel walks may work out: some seconds.
-const WALK_EVALUATIONS: u64 = 400_000;
+/// The values of states that the parallel walks may work out in their first turn: about a second.
+const WALK_EVALUATIONS: u64 = 50_000;
 
-/// Algorithm 1, then the walks.
+/// By how much the second turn of either is longer.
+const LONGER: u64 = 10;
+
+/// Algorithm 1 and the walks.
 pub(super) struct FirstPlan {
     problem: Arc<Problem>,
     options: Options,
-    horizon: Option<usize>,
-    stage: Stage,
-    /// Work of the engine that was left.
+    /// Whether walks can look for what is asked.
+    suits_walks: bool,
+    /// None where it has come to its end. Where there are walks it ends with the first belief that outgrows its list.
+    greedy: Option<Box<dyn Engine>>,
+    walks: Option<Box<ParallelWalks>>,
+    /// The turns to come, the next one last.
+    turns: Vec<Turn>,
+    /// Work of engines that were left.
     earlier: Stats,
 }
 
-/// Which engine is at work.
-enum Stage {
-    /// Algorithm 1, with the nodes that are left to it; where walks can take over it ends with the first belief that
-    /// outgrows its list.
-    Greedy(Box<dyn Engine>, u64),
-    Walks(Box<ParallelWalks>),
-    /// Nothing was found. Algorithm 1 can go on where walks have not taken over: there it would end as before.
-    Over(Option<Box<dyn Engine>>),
+/// Whose turn it is, and how much is left of it.
+#[derive(Debug, Clone, Copy)]
+enum Turn {
+    /// Nodes.
+    Greedy(u64),
+    /// Until so many values have been worked out.
+    Walks(u64),
 }
 
 /// Whether parallel walks can take over: they do not mind what a plan costs.
@@ -52,109 +58,124 @@ pub(super) fn left(options: &Options, spent: &Stats) -> Options {
 }
 
 impl FirstPlan {
-    /// For plans of any length or of exactly `horizon` actions, with so many nodes for Algorithm 1.
+    /// For plans of any length or of exactly `horizon` actions, with so many nodes for Algorithm 1 at first.
     pub(super) fn new(
         nodes: u64,
         problem: Arc<Problem>,
         options: &Options,
         horizon: Option<usize>,
     ) -> Self {
-        let walks = suits_walks(&problem, options, horizon);
-        let greedy = algorithm1::engine(Arc::clone(&problem), options, horizon, walks);
-        let stage = Stage::Greedy(Box::new(greedy), nodes);
-        Self { problem, options: options.clone(), horizon, stage, earlier: Stats::default() }
+        let suits_walks = suits_walks(&problem, options, horizon);
+        let mut options = options.clone();
+        let mut turns = vec![Turn::Greedy(nodes)];
+        if suits_walks {
+            // Both are there at the same time.
+            options.limits.bytes /= 2;
+            let longer = [
+                Turn::Walks(LONGER * WALK_EVALUATIONS),
+                Turn::Greedy(LONGER * LONGER * nodes),
+                Turn::Walks(WALK_EVALUATIONS),
+            ];
+            turns.splice(0..0, longer);
+        }
+        let greedy = algorithm1::engine(Arc::clone(&problem), &options, horizon, suits_walks);
+        Self {
+            problem,
+            options,
+            suits_walks,
+            greedy: Some(Box::new(greedy)),
+            walks: None,
+            turns,
+            earlier: Stats::default(),
+        }
     }
 
     /// Whether both have had their share.
     pub(super) fn is_over(&self) -> bool {
-        matches!(self.stage, Stage::Over(_))
+        self.turns.is_empty()
     }
 
-    /// Algorithm 1, where it can go on; its work does not count here any more then.
+    /// Algorithm 1, where it can go on; its work does not count here any more then. Where there are walks it would end with a
+    /// belief that outgrows its list.
     pub(super) fn take_greedy(&mut self) -> Option<Box<dyn Engine>> {
-        match &mut self.stage {
-            Stage::Over(greedy) => greedy.take(),
-            Stage::Greedy(..) | Stage::Walks(_) => None,
-        }
+        self.greedy.take_if(|_| !self.suits_walks)
     }
 
-    /// Algorithm 1 has had its nodes, or a belief has outgrown its list.
-    fn after_greedy(&mut self) {
-        let options = left(&self.options, &self.stats());
-        let Stage::Greedy(greedy, _) = std::mem::replace(&mut self.stage, Stage::Over(None)) else {
-            return;
+    fn advance_greedy(&mut self, budget: u64, left: u64) -> Result<Advance, LimitReached> {
+        self.turns.pop();
+        let Some(greedy) = self.greedy.as_mut().filter(|_| left > 0) else {
+            return Ok(Advance::Working);
         };
-        self.stage = if suits_walks(&self.problem, &options, self.horizon) {
-            self.leave(greedy.as_ref());
-            Stage::Walks(Box::new(ParallelWalks::new(&self.problem, &options)))
-        } else {
-            Stage::Over(Some(greedy))
-        };
-    }
-
-    fn after_walks(&mut self) {
-        if let Stage::Walks(walks) = std::mem::replace(&mut self.stage, Stage::Over(None)) {
-            self.leave(walks.as_ref());
-        }
-    }
-
-    fn leave(&mut self, engine: &dyn Engine) {
-        self.earlier.add_engine(&engine.stats());
-    }
-}
-
-impl Engine for FirstPlan {
-    /// Working without work once [both are over](Self::is_over).
-    fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
-        match &mut self.stage {
-            Stage::Over(_) => {}
-            Stage::Greedy(_, 0) => self.after_greedy(),
-            Stage::Greedy(greedy, left) => {
-                let budget = budget.min(*left);
-                *left -= budget;
-                match greedy.advance(budget) {
-                    Err(LimitReached::Listed { .. }) => self.after_greedy(),
-                    answer => return answer,
-                }
+        let budget = budget.min(left);
+        match greedy.advance(budget) {
+            Err(LimitReached::Listed { .. }) => {
+                self.earlier.add_engine(&greedy.stats());
+                self.greedy = None;
+                Ok(Advance::Working)
             }
-            Stage::Walks(walks) => {
-                for _ in 0..budget {
-                    match walks.advance(1) {
-                        Ok(Advance::Working) if walks.evaluations() < WALK_EVALUATIONS => {}
-                        Ok(Advance::Working) | Err(_) => {
-                            self.after_walks();
-                            break;
-                        }
-                        answer => return answer,
-                    }
+            answer => {
+                self.turns.push(Turn::Greedy(left - budget));
+                answer
+            }
+        }
+    }
+
+    fn advance_walks(&mut self, budget: u64, until: u64) -> Result<Advance, LimitReached> {
+        if self.walks.is_none() {
+            let options = left(&self.options, &self.stats());
+            self.walks = Some(Box::new(ParallelWalks::new(&self.problem, &options)));
+        }
+        let Some(walks) = &mut self.walks else { return Ok(Advance::Working) };
+        for _ in 0..budget {
+            match walks.advance(1) {
+                Ok(Advance::Working) if walks.evaluations() < until => {}
+                Ok(Advance::Working) => {
+                    self.turns.pop();
+                    break;
                 }
+                // Their end proves nothing.
+                Err(_) => {
+                    self.turns.pop();
+                    self.turns.retain(|turn| matches!(turn, Turn::Greedy(_)));
+                    break;
+                }
+                answer => return answer,
             }
         }
         Ok(Advance::Working)
     }
+}
+
+impl Engine for FirstPlan {
+    /// Working without work once [both have had their share](Self::is_over).
+    fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
+        match self.turns.last() {
+            None => Ok(Advance::Working),
+            Some(&Turn::Greedy(left)) => self.advance_greedy(budget, left),
+            Some(&Turn::Walks(until)) => self.advance_walks(budget, until),
+        }
+    }
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
-        match &mut self.stage {
-            Stage::Greedy(engine, _) => engine.stop(limit),
-            Stage::Walks(walks) => walks.stop(limit),
-            Stage::Over(_) => Finding::stopped(None, limit),
+        match (self.turns.last(), &mut self.greedy) {
+            (Some(Turn::Greedy(_)), Some(greedy)) => greedy.stop(limit),
+            _ => Finding::stopped(None, limit),
         }
     }
 
     fn report(&self, progress: &mut Progress) {
-        if let Stage::Greedy(engine, _) = &self.stage {
-            engine.report(progress);
+        if let (Some(Turn::Greedy(_)), Some(greedy)) = (self.turns.last(), &self.greedy) {
+            greedy.report(progress);
         }
     }
 
     fn stats(&self) -> Stats {
         let mut stats = self.earlier;
-        match &self.stage {
-            Stage::Greedy(engine, _) | Stage::Over(Some(engine)) => {
-                stats.add_engine(&engine.stats())
-            }
-            Stage::Walks(walks) => stats.add_engine(&walks.stats()),
-            Stage::Over(None) => {}
+        if let Some(greedy) = &self.greedy {
+            stats.add_engine(&greedy.stats());
+        }
+        if let Some(walks) = &self.walks {
+            stats.add_engine(&walks.stats());
         }
         stats
     }
