@@ -342,6 +342,14 @@ impl Exercise {
         to_js(&report.with_solution(&self.variant))
     }
 
+    /// Draws the variants of a few seeds, for the author of the exercise: whether students will have questions, and
+    /// questions of their own; null where nothing varies. `text` is the document that was read. Throws a `DocumentError` at
+    /// `exercise.vary` where most of the seeds have no variant.
+    pub fn sample(&self, text: &str) -> Result<types::VariantSampleJs, JsValue> {
+        let sample = self.exercise.sample().map_err(|e| error::document(&e, text))?;
+        to_js(&sample.as_ref().map(crate::report::SampleReport::new))
+    }
+
     /// Checks an answer, by the positions of its choices. Throws an `OptionsError` where they do not fit the question.
     pub fn check(
         &self,

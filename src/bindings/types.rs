@@ -250,6 +250,19 @@ export interface Question {
   /** Only where it was asked for. `remarks`: what makes the question trivial. */
   solution?: { answer: unknown; size: number; steps: number; remarks: string[] };
 }
+/** What a few seeds of an exercise come to. */
+export interface VariantSample {
+  /** How many seeds were drawn: 20, or fewer where drawing takes long. */
+  seeds: number;
+  /** How many of them have a variant. */
+  found: number;
+  /** How many different questions those ask. */
+  different: number;
+  /** How many different answers were found to them. */
+  answers: number;
+  /** What an author should know before the exercise is handed out: "3 of 20 seeds drawn have no variant". */
+  remarks: string[];
+}
 /** A walk that contradicts an answer. */
 export interface Counterexample {
   observer: Role;
@@ -330,6 +343,9 @@ extern "C" {
     /// The question of an exercise.
     #[wasm_bindgen(typescript_type = "Question")]
     pub type QuestionJs;
+    /// What a few seeds of an exercise come to.
+    #[wasm_bindgen(typescript_type = "VariantSample | null")]
+    pub type VariantSampleJs;
     /// What is said of an answer.
     #[wasm_bindgen(typescript_type = "ExerciseVerdict")]
     pub type VerdictJs;

@@ -107,7 +107,7 @@ pub fn exercise(path: &Path) -> Result<(Exercise, String), CliError> {
 }
 
 /// An error with its place in a file.
-fn placed(path: &Path, text: &str, error: DocumentError) -> CliError {
+pub fn placed(path: &Path, text: &str, error: DocumentError) -> CliError {
     let place = error.place(text);
     // Editors and terminals follow this.
     let file = format!("{}:{}:{}", path.display(), place.line, place.column);

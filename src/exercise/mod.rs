@@ -25,6 +25,7 @@ mod kind;
 pub mod schema;
 mod subject;
 mod variant;
+mod variant_sample;
 mod verdict;
 
 use std::collections::BTreeMap;
@@ -36,6 +37,7 @@ pub use answer::{Answer, Arity, Form, MAX_ANSWER, MAX_CHOICES};
 pub use block::{Hidden, Lock, Vary};
 pub use code::{CodeError, Tally};
 pub use variant::{Variant, seed_of};
+pub use variant_sample::VariantSample;
 pub use verdict::{Counterexample, Finding, Verdict};
 
 use crate::document::DocumentError;
@@ -212,6 +214,22 @@ impl Exercise {
     /// [`ExerciseError::NoVariant`].
     pub fn variant(&self, seed: u64) -> Result<Variant, ExerciseError> {
         variant::draw(&self.block, &self.original, seed)
+    }
+
+    /// Draws a few variants, for an author: whether students will have questions, and questions of their own. None where
+    /// nothing varies. It takes about a second at most for problems that a person can survey; to read an exercise and to
+    /// draw one variant need none of it.
+    ///
+    /// # Errors
+    ///
+    /// [`DocumentError`] at `exercise.vary`, where most of the seeds have no variant.
+    pub fn sample(&self) -> Result<Option<VariantSample>, DocumentError> {
+        if self.block.vary.is_empty() {
+            return Ok(None);
+        }
+        let sample = VariantSample::new(&self.block, &self.original);
+        sample.check(&self.block.vary)?;
+        Ok(Some(sample))
     }
 
     /// The document of a variant: its problem, and its question as an exercise that does not vary. `text` is the

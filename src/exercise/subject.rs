@@ -113,6 +113,15 @@ impl Subject {
         Self::valued(self.solved(Self::options().with_horizon(Horizon::Steps(steps)))?)
     }
 
+    /// How many nodes are expanded until the best walk is found, of this length or of any.
+    pub(super) fn expansions(&self, steps: Option<usize>) -> u64 {
+        let options = match steps {
+            Some(steps) => Self::options().with_horizon(Horizon::Steps(steps)),
+            None => Self::options(),
+        };
+        self.solved(options).map_or(EXPANSIONS, |outcome| 1 + outcome.stats.expansions)
+    }
+
     /// A shortest walk of those with the best goal difference.
     pub(super) fn best(&self) -> Result<Valued, Unfit> {
         let outcome = self.solved(Self::options())?;

@@ -21,7 +21,7 @@ use crate::problem::Problem;
 use crate::task::{StateId, StateSpace};
 
 /// How many variants are drawn for a seed before there is none.
-const MAX_TRIES: u32 = 500;
+pub(super) const MAX_TRIES: u32 = 500;
 
 /// Seeds of names are below this, so that they can be read out.
 const MOST_SEEDS: u64 = 1_000_000;
@@ -111,6 +111,11 @@ impl Variant {
         &self.solved.remarks
     }
 
+    /// How often the states of the problem are passed, about, until the question has an answer.
+    pub(super) fn passes(&self) -> u64 {
+        self.kind.question().passes(&self.subject)
+    }
+
     /// What is said of an answer.
     pub fn check(&self, answer: &Answer) -> Verdict {
         self.kind.question().check(&self.subject, answer)
@@ -142,7 +147,25 @@ pub(super) fn check_vary(block: &Block, document: &Document) -> Result<(), Docum
             return Err(DocumentError::invalid(format!("exercise.vary[{index}]"), found, expected));
         }
     }
-    Ok(())
+    check_answers_vary(block)
+}
+
+/// The true goal alone makes no other question where the question does not depend on it, or its walk ends where it did.
+fn check_answers_vary(block: &Block) -> Result<(), DocumentError> {
+    let varies = |vary: Vary| block.vary.contains(&vary);
+    let (only, missing) = match block.kind {
+        Kind::Walk(_) | Kind::Best(_) => return Ok(()),
+        Kind::Guess(_) => {
+            let moved = varies(Vary::Plan) || varies(Vary::Start) || varies(Vary::Goals);
+            (!moved, "plan too, since the walk of a guess ends in the true goal")
+        }
+        _ => (block.vary.len() == 1, "something else too, since the answer does not depend on it"),
+    };
+    if !only || !varies(Vary::TrueGoal) {
+        return Ok(());
+    }
+    let found = format!("true_goal in an exercise of the kind {}", block.kind.name());
+    Err(DocumentError::invalid("exercise.vary", found, missing))
 }
 
 /// Draws the variant of a seed.
@@ -150,17 +173,28 @@ pub(super) fn draw(block: &Block, original: &Variant, seed: u64) -> Result<Varia
     if seed == 0 || block.vary.is_empty() {
         return Ok(Variant { seed, ..original.clone() });
     }
+    let (variant, tries) = draw_within(block, original, seed, MAX_TRIES);
+    variant.ok_or(ExerciseError::NoVariant { seed, tries })
+}
+
+/// Draws the variant of a seed from its first draws, and says how many it took.
+pub(super) fn draw_within(
+    block: &Block,
+    original: &Variant,
+    seed: u64,
+    tries: u32,
+) -> (Option<Variant>, u32) {
     let mut random = Pcg32::seed_from_u64(seed);
-    for _ in 0..MAX_TRIES {
+    for drawn_before in 0..tries {
         let Some((subject, kind)) = drawn(block, original, &mut random) else { continue };
         let Ok(variant) = Variant::new(seed, subject, kind) else { continue };
         if variant.solved.remarks.is_empty()
             && original.difficulty().is_near(variant.solved.difficulty)
         {
-            return Ok(variant);
+            return (Some(variant), drawn_before + 1);
         }
     }
-    Err(ExerciseError::NoVariant { seed, tries: MAX_TRIES })
+    (None, tries)
 }
 
 /// A question with other numbers; none where they make no problem.
@@ -265,15 +299,7 @@ fn random_walk(problem: &Problem, steps: usize, random: &mut impl Rng) -> Option
 /// A walk to the true goal: up to two steps anywhere, then a shortest one.
 fn walk_to_goal(problem: &Problem, random: &mut impl Rng) -> Option<Vec<String>> {
     let task = problem.task();
-    let mut space = StateSpace::new(Arc::clone(task));
-    let mut next = Some(space.intern(task.initial_state()));
-    while let Some(state) = next {
-        space.expand(state);
-        if space.len() > MAX_STATES {
-            return None;
-        }
-        next = space.after(state);
-    }
+    let space = explored(problem)?;
     let distances = goal_distances(&space);
     let mut at = StateId(0);
     let mut names = Vec::new();
@@ -292,6 +318,21 @@ fn walk_to_goal(problem: &Problem, random: &mut impl Rng) -> Option<Vec<String>>
         at = edge.target;
     }
     None
+}
+
+/// All states that walks lead to, each with what follows it; none where they are too many.
+pub(super) fn explored(problem: &Problem) -> Option<StateSpace> {
+    let task = problem.task();
+    let mut space = StateSpace::new(Arc::clone(task));
+    let mut next = Some(space.intern(task.initial_state()));
+    while let Some(state) = next {
+        space.expand(state);
+        if space.len() > MAX_STATES {
+            return None;
+        }
+        next = space.after(state);
+    }
+    Some(space)
 }
 
 /// The steps from each state to the true goal, in a space that is expanded in full.

@@ -6,7 +6,7 @@ use serde_json::Value;
 use crate::domain::Document;
 use crate::exercise::{
     Answer, Counterexample, Difficulty, Exercise, Finding, Form, Hidden, Lock, Tally, Variant,
-    Verdict,
+    VariantSample, Verdict,
 };
 
 /// The question of a seed: `exercise show --json`.
@@ -52,6 +52,25 @@ pub struct ExerciseReport {
     /// A right answer, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub solution: Option<SolutionReport>,
+    /// What a few seeds come to, where that is asked for and something varies.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sample: Option<SampleReport>,
+}
+
+/// What a few seeds of an exercise come to: how many have a variant, and how many of these variants differ.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct SampleReport {
+    /// How many seeds were drawn.
+    pub seeds: u32,
+    /// How many of them have a variant.
+    pub found: u32,
+    /// How many different questions those ask.
+    pub different: u32,
+    /// How many different answers were found to them.
+    pub answers: u32,
+    /// What an author should know before the exercise is handed out.
+    pub remarks: Vec<String>,
 }
 
 /// A right answer, and how hard the question is.
@@ -113,7 +132,15 @@ impl ExerciseReport {
             lock: exercise.lock().clone(),
             document: variant.document().clone(),
             solution: None,
+            sample: None,
         }
+    }
+
+    /// The same with what a few seeds come to.
+    #[must_use]
+    pub fn with_sample(mut self, sample: Option<&VariantSample>) -> Self {
+        self.sample = sample.map(SampleReport::new);
+        self
     }
 
     /// The same with a right answer.
@@ -127,6 +154,14 @@ impl ExerciseReport {
             remarks: variant.remarks().to_vec(),
         });
         self
+    }
+}
+
+impl SampleReport {
+    /// The report of a sample.
+    pub fn new(sample: &VariantSample) -> Self {
+        let VariantSample { seeds, found, different, answers, .. } = *sample;
+        Self { seeds, found, different, answers, remarks: sample.remarks() }
     }
 }
 

@@ -19,7 +19,7 @@ pub use belief::{BeliefReport, Feature, Share};
 pub use classical::{PlanReport, PlanStats};
 pub use elimination::{EliminationReport, MissedReport, NearestReport};
 #[cfg(feature = "full")]
-pub use exercise::{ExerciseReport, FindingReport, SolutionReport, VerdictReport};
+pub use exercise::{ExerciseReport, FindingReport, SampleReport, SolutionReport, VerdictReport};
 #[cfg(feature = "full")]
 pub use import::{ImportReport, read_import_files, read_import_options};
 pub use request::{Request, read_request};

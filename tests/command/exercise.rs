@@ -102,6 +102,38 @@ fn what_is_no_exercise_is_refused_with_its_place() {
     assert!(refused.err.starts_with(&format!("mo-copp: -:{line}:")), "{}", refused.err);
 }
 
+#[test]
+fn show_says_what_is_wrong_with_the_variants_of_an_exercise() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/problems/eight-by-eight.json");
+    let mut document: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+    document["exercise"] = serde_json::json!({"kind": "best", "vary": ["true_goal"]});
+    let shown = mo_copp(&document.to_string(), &["exercise", "show", "-", "--json"]);
+    assert_eq!(shown.code, 0, "{}", shown.err);
+    assert_eq!(shown.err, "mo-copp: note: all 20 variants drawn ask the same question\n");
+    let sample = &shown.json()["sample"];
+    assert_eq!((&sample["seeds"], &sample["different"]), (&20.into(), &1.into()));
+    // Not of a variant, which is what a student has.
+    let variant =
+        mo_copp(&document.to_string(), &["exercise", "show", "-", "--seed", "7", "--json"]);
+    assert_eq!((variant.code, &variant.err[..]), (0, ""));
+    assert!(variant.json().get("sample").is_none());
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/problems/head-fake.json");
+    let mut document: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+    let plan =
+        "north west west west west north south east east east east north north east east east";
+    let plan: Vec<&str> = plan.split(' ').collect();
+    document["exercise"] = serde_json::json!({"kind": "guess", "observer": "cooperative", "plan": plan,
+        "vary": ["plan"]});
+    let refused = mo_copp(&format!("{document:#}"), &["exercise", "show", "-"]);
+    assert_eq!((refused.code, &refused.out[..]), (2, ""));
+    let found = "exercise.vary: found plan, where none of 4 seeds drawn has a variant, expected ";
+    assert!(
+        refused.err.starts_with("mo-copp: -:") && refused.err.contains(found),
+        "{}",
+        refused.err
+    );
+}
+
 /// Files of a test in a folder of its own.
 fn file(name: &str, contents: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);

@@ -3,12 +3,34 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use mo_copp::exercise::{Exercise, seed_of};
+use mo_copp::exercise::{Exercise, VariantSample, seed_of};
 use mo_copp::plan::Plan;
 use mo_copp::trace::trace;
 
 use super::seeds::{EXERCISES, hash};
 use super::{exercise, text};
+
+/// A problem of the gallery with a question.
+fn asked(problem: &str, block: serde_json::Value) -> String {
+    let path = format!("{}/www/problems/{problem}.json", env!("CARGO_MANIFEST_DIR"));
+    let mut document: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    document["exercise"] = block;
+    document.to_string()
+}
+
+/// What a few seeds of an exercise come to, or why it is refused.
+fn sampled(text: &str) -> Result<VariantSample, String> {
+    let exercise = Exercise::parse(text).map_err(|error| error.to_string())?;
+    exercise.sample().map(Option::unwrap).map_err(|error| error.to_string())
+}
+
+/// The walk that leads the enemy of `head-fake` astray.
+fn head_fake() -> Vec<&'static str> {
+    let plan =
+        "north west west west west north south east east east east north north east east east";
+    plan.split(' ').collect()
+}
 
 /// `MO_COPP_WRITE_GOLDEN=1` writes the file anew.
 #[test]
@@ -136,4 +158,60 @@ fn a_written_variant_is_an_exercise_of_its_own() {
         assert_eq!(again.original().solution(), variant.solution());
         assert_eq!(again.title(), exercise.title());
     }
+}
+
+#[test]
+fn a_sample_of_each_exercise_of_the_project_has_nothing_to_remark() {
+    for name in ["01-possible-goals", "03-guess", "08-delivery", "11-head-fake"] {
+        let sample = exercise(name).sample().unwrap().unwrap();
+        assert_eq!((sample.seeds, sample.found), (20, 20), "{name}");
+        assert_eq!(sample.remarks(), [""; 0], "{name}");
+        assert_eq!(exercise(name).sample().unwrap(), Some(sample), "{name}");
+    }
+    let fixed = text("01-possible-goals").replace("\"vary\"", "\"hide\": [], \"vary\"");
+    let fixed = fixed.replace(r#"["start", "goals", "walls", "plan"]"#, "[]");
+    assert_eq!(Exercise::parse(&fixed).unwrap().sample().unwrap(), None);
+}
+
+#[test]
+fn an_exercise_of_which_no_seed_has_a_variant_is_refused_before_it_is_handed_out() {
+    let block = serde_json::json!({"kind": "guess", "observer": "cooperative", "plan": head_fake(),
+        "vary": ["plan"]});
+    let text = asked("head-fake", block);
+    assert!(Exercise::parse(&text).unwrap().variant(562_061).is_err());
+    assert_eq!(
+        sampled(&text).unwrap_err(),
+        "exercise.vary: found plan, where none of 4 seeds drawn has a variant, expected something to vary that gives each \
+         seed a question about as hard as the original, with an answer"
+    );
+}
+
+#[test]
+fn variants_that_are_all_the_same_are_remarked() {
+    let best = asked("eight-by-eight", serde_json::json!({"kind": "best", "vary": ["true_goal"]}));
+    let sample = sampled(&best).unwrap();
+    assert_eq!((sample.found, sample.different), (20, 1));
+    assert_eq!(sample.remarks(), ["all 20 variants drawn ask the same question"]);
+}
+
+#[test]
+fn where_only_the_true_goal_varies_a_question_must_depend_on_it() {
+    let guess = |vary: serde_json::Value| {
+        sampled(&asked(
+            "head-fake",
+            serde_json::json!({"kind": "guess", "observer": "cooperative", "plan": head_fake(), "vary": vary}),
+        ))
+    };
+    let refused = "exercise.vary: found true_goal in an exercise of the kind guess, \
+                   expected plan too, since the walk of a guess ends in the true goal";
+    assert_eq!(guess(serde_json::json!(["true_goal"])).unwrap_err(), refused);
+    assert_eq!(guess(serde_json::json!(["walls", "true_goal"])).unwrap_err(), refused);
+    assert!(guess(serde_json::json!(["true_goal", "plan"])).is_ok());
+    let vary = r#""vary": ["start", "goals", "walls", "plan"]"#;
+    let goals = text("01-possible-goals").replace(vary, r#""vary": ["true_goal"]"#);
+    assert_eq!(
+        Exercise::parse(&goals).unwrap_err().to_string(),
+        "exercise.vary: found true_goal in an exercise of the kind possible-goals, \
+         expected something else too, since the answer does not depend on it"
+    );
 }

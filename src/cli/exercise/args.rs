@@ -21,7 +21,7 @@ pub struct ExerciseArgs {
 /// What to do with an exercise.
 #[derive(Debug, Subcommand)]
 pub enum ExerciseCommand {
-    /// Print the question, and its solution where it is asked for.
+    /// Print the question, and its solution where it is asked for; of seed 0 also what is wrong with its variants.
     Show(ShowArgs),
     /// Print the document of a variant: its problem, with its question as an exercise that does not vary.
     Variant(VariantArgs),

@@ -10,7 +10,7 @@ use mo_copp::exercise::{Exercise, Tally, Variant};
 use mo_copp::report::{ExerciseReport, VerdictReport};
 
 use super::error::CliError;
-use super::{NO_PLAN, input, print, print_json, visible};
+use super::{NO_PLAN, input, note, print, print_json, visible};
 use args::{CheckArgs, ExerciseArgs, ExerciseCommand, SeedArgs, ShowArgs, VariantArgs};
 
 /// Does what is asked; the exit code.
@@ -29,8 +29,16 @@ fn read(which: &SeedArgs) -> Result<(Exercise, Variant, String), CliError> {
 }
 
 fn show(args: &ShowArgs) -> Result<u8, CliError> {
-    let (exercise, variant, _) = read(&args.which)?;
+    let (exercise, variant, text) = read(&args.which)?;
     let mut report = ExerciseReport::new(&exercise, &variant);
+    // The document's own question is looked at by its author.
+    if variant.seed() == 0 {
+        let placed = |error| input::placed(&args.which.exercise, &text, error);
+        report = report.with_sample(exercise.sample().map_err(placed)?.as_ref());
+    }
+    for remark in report.sample.iter().flat_map(|sample| &sample.remarks) {
+        note(&format!("note: {remark}"));
+    }
     if args.solution {
         report = report.with_solution(&variant);
     }

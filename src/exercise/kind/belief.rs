@@ -103,4 +103,8 @@ impl Question for Belief {
         }
         Verdict::right()
     }
+
+    fn passes(&self, _: &Subject) -> u64 {
+        self.watching.passes()
+    }
 }

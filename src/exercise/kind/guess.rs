@@ -80,4 +80,8 @@ impl Question for Guess {
             Err(unfit) => Verdict::wrong([Finding::plain(unfit.to_string())]),
         }
     }
+
+    fn passes(&self, _: &Subject) -> u64 {
+        self.watching.passes()
+    }
 }

@@ -32,6 +32,8 @@ pub(super) trait Question: Debug {
     fn solve(&self, subject: &Subject, form: &Form) -> Result<Solved, Unfit>;
     /// What is said of an answer.
     fn check(&self, subject: &Subject, answer: &Answer) -> Verdict;
+    /// How often the states of the problem are passed, about, until there is an answer.
+    fn passes(&self, subject: &Subject) -> u64;
 }
 
 /// A right answer and what is known of the question by it.

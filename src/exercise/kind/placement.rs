@@ -185,4 +185,9 @@ impl Question for Placement {
         let text = format!("With the {name} in [{column}, {row}] {}", finding.text);
         Verdict::wrong([Finding { text, ..finding }])
     }
+
+    fn passes(&self, subject: &Subject) -> u64 {
+        let cells = Self::cells(subject).map_or(1, |cells| cells.len() as u64);
+        cells * self.watching.passes()
+    }
 }

@@ -65,4 +65,8 @@ impl Question for PossibleGoals {
         }
         Verdict::right()
     }
+
+    fn passes(&self, _: &Subject) -> u64 {
+        self.watching.passes()
+    }
 }

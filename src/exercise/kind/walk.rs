@@ -123,4 +123,9 @@ impl Question for Walk {
             _ => Verdict::right(),
         }
     }
+
+    fn passes(&self, subject: &Subject) -> u64 {
+        let shortest = if self.goal_difference.is_none() { subject.shortest().ok() } else { None };
+        subject.expansions(shortest)
+    }
 }

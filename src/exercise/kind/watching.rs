@@ -63,6 +63,11 @@ impl Watching {
         BeliefLayers::new(&subject.problem, self.observer(&subject.problem), &plan)
     }
 
+    /// How often the states of the problem are passed at most until the belief at the end is known.
+    pub(super) fn passes(&self) -> u64 {
+        self.plan.len() as u64 + 1
+    }
+
     /// The walk in words.
     pub(super) fn walk(&self) -> String {
         match self.plan.len() {
