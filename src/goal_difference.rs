@@ -58,6 +58,48 @@ pub fn goal_difference(adversarial: usize, cooperative: usize, goals: usize) -> 
     numerator / (goals as f64 - 1.0)
 }
 
+/// A goal difference may have been rounded to three decimals.
+const ROUNDING: f64 = 0.000_5 + 1e-9;
+
+/// The goal difference meant by a number that may have been rounded to three decimals, of `goals` candidates; the number
+/// itself where none is so near.
+///
+/// ```
+/// use mo_copp::goal_difference::nearest;
+/// assert_eq!(nearest(0.667, 4), 2.0 / 3.0);
+/// assert_eq!(nearest(0.6, 4), 0.6);
+/// ```
+pub fn nearest(number: f64, goals: usize) -> f64 {
+    let most = goals as f64 - 1.0;
+    let near = (number * most).round() / most;
+    if (near - number).abs() <= ROUNDING { near } else { number }
+}
+
+/// A goal difference of `goals` candidates in words: in decimals where at most three of them tell it, else as a fraction
+/// with its decimals.
+///
+/// ```
+/// use mo_copp::goal_difference::written;
+/// assert_eq!(written(0.4, 6), "0.4");
+/// assert_eq!(written(4.0 / 6.0, 7), "2/3 (0.667)");
+/// ```
+pub fn written(difference: f64, goals: usize) -> String {
+    let rounded = (difference * 1000.0).round() / 1000.0;
+    let most = goals.saturating_sub(1);
+    let numerator = (difference * most as f64).round();
+    let is_fraction = (numerator / most as f64 - difference).abs() < 1e-9;
+    if (rounded - difference).abs() < 1e-9 || !is_fraction {
+        return difference.to_string();
+    }
+    let sign = if numerator < 0.0 { "-" } else { "" };
+    let numerator = numerator.abs() as usize;
+    let (mut shared, mut rest) = (most, numerator);
+    while rest > 0 {
+        (shared, rest) = (rest, shared % rest);
+    }
+    format!("{sign}{}/{} ({rounded:.3})", numerator / shared, most / shared)
+}
+
 /// Works out survivors, once for each belief. States that satisfy the same goals share a class, so
 /// that a large belief is one pass over small numbers.
 #[derive(Debug, Clone)]
@@ -158,5 +200,41 @@ impl Survivors {
             number
         };
         &self.sets[number as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_goal_difference_is_told_from_three_decimals_and_written_exactly() {
+        for goals in 2..=40 {
+            for numerator in -(goals as i32 - 1)..goals as i32 {
+                let exact = f64::from(numerator) / (goals as f64 - 1.0);
+                let rounded: f64 = format!("{exact:.3}").parse().unwrap();
+                assert_eq!(nearest(rounded, goals), exact, "{numerator} of {goals}");
+                assert_eq!(nearest(exact, goals), exact, "{numerator} of {goals}");
+                let text = written(exact, goals);
+                let told = match text.split_once(" (").and_then(|(told, _)| told.split_once('/')) {
+                    Some((above, below)) => {
+                        above.parse::<f64>().unwrap() / below.parse::<f64>().unwrap()
+                    }
+                    None => text.parse().unwrap(),
+                };
+                assert!((told - exact).abs() < 1e-12, "{text} for {numerator} of {goals}");
+            }
+        }
+    }
+
+    #[test]
+    fn other_numbers_stay_as_they_are() {
+        assert_eq!(nearest(0.668, 4), 0.668);
+        assert_eq!(written(0.668, 4), "0.668");
+        assert_eq!(written(-1.0 / 3.0, 4), "-1/3 (-0.333)");
+        assert_eq!(written(0.125, 9), "0.125");
+        assert_eq!(written(0.0625, 17), "1/16 (0.063)");
+        assert_eq!(written(0.0, 4), "0");
+        assert_eq!(written(1.0, 1), "1");
     }
 }

@@ -8,6 +8,7 @@ use super::answer::{Answer, Form};
 use super::belief_layers::BeliefLayers;
 use super::verdict::{Finding, Verdict};
 use crate::domain::Document;
+use crate::goal_difference;
 use crate::limits::Limits;
 use crate::plan::{Plan, execute};
 use crate::problem::{Problem, Role};
@@ -57,6 +58,11 @@ impl Subject {
     /// The name of the true goal.
     pub(super) fn true_goal(&self) -> &str {
         &self.problem.goals()[self.problem.true_goal()].name
+    }
+
+    /// A goal difference in words.
+    pub(super) fn difference(&self, value: f64) -> String {
+        goal_difference::written(value, self.problem.goals().len())
     }
 
     /// The names of the actions.
@@ -175,7 +181,7 @@ impl Subject {
             let problem = &self.problem;
             goal_difference = problem.goal_difference(problem.survivor_counts(step.survivors));
             let goals = 0..problem.goals().len();
-            let of = |set: &crate::goal_difference::GoalSet| {
+            let of = |set: &goal_difference::GoalSet| {
                 goals.clone().map(|goal| set.contains(goal)).collect()
             };
             survivors = step.survivors.iter().map(of).collect();

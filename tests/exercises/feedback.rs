@@ -1,6 +1,6 @@
 //! Answers and what is said of them: a walk that shows what is wrong.
 
-use mo_copp::exercise::Counterexample;
+use mo_copp::exercise::{Counterexample, Exercise};
 use mo_copp::plan::Plan;
 use mo_copp::problem::Problem;
 
@@ -160,4 +160,60 @@ fn a_guess_is_answered_by_a_walk_that_shows_something_else() {
         let said = verdict(variant, goal);
         assert!(said.reason().contains("is not possible for the enemy"), "{}", said.reason());
     }
+}
+
+/// A document of the article with a question.
+fn asked(figure: &str, block: serde_json::Value) -> String {
+    let path = format!("{}/www/learn/figures/{figure}.json", env!("CARGO_MANIFEST_DIR"));
+    let mut document: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    document["exercise"] = block;
+    document.to_string()
+}
+
+#[test]
+fn a_goal_difference_of_two_thirds_may_be_asked_for_in_three_decimals() {
+    let block = serde_json::json!({"kind": "walk", "goal_difference": 0.667});
+    let exercise = Exercise::parse(&asked("three-more", block)).unwrap();
+    let variant = exercise.original();
+    assert_eq!(
+        variant.question(),
+        "Give a walk to A with a goal difference of at least 2/3 (0.667)."
+    );
+    let right = verdict(variant, "north, west, west, east, east, west");
+    assert!(right.right, "{}", right.reason());
+    let wrong = verdict(variant, "north, west");
+    assert_eq!(
+        wrong.reason(),
+        "The walk has goal difference 1/3 (0.333); at least 2/3 (0.667) is asked for."
+    );
+}
+
+#[test]
+fn of_seven_goals_every_goal_difference_that_is_asked_for_in_three_decimals_can_be_met() {
+    let mut document: serde_json::Value =
+        serde_json::from_str(&asked("three-more", serde_json::Value::Null)).unwrap();
+    for (name, cell) in [("E", [0, 0]), ("F", [6, 5]), ("G", [2, 2])] {
+        let goal = serde_json::json!({"name": name, "cell": cell});
+        document["goals"].as_array_mut().unwrap().push(goal);
+    }
+    let mut met = Vec::new();
+    for numerator in 1..=6 {
+        let exact = f64::from(numerator) / 6.0;
+        let rounded: f64 = format!("{exact:.3}").parse().unwrap();
+        document["exercise"] = serde_json::json!({"kind": "walk", "goal_difference": rounded});
+        let Ok(exercise) = Exercise::parse(&document.to_string()) else { continue };
+        let variant = exercise.original();
+        assert!(variant.check(variant.solution()).right);
+        let problem = variant.problem();
+        let names: Vec<String> =
+            variant.form().labels(variant.solution()).iter().map(ToString::to_string).collect();
+        let plan = Plan::from_names(problem.task(), &names).unwrap();
+        let found = mo_copp::trace::trace(problem, &plan).unwrap().goal_difference(problem);
+        assert!(found > exact - 1e-9, "{found} for {rounded}");
+        if found < exact + 1e-9 {
+            met.push(numerator);
+        }
+    }
+    assert!(met.len() >= 3, "{met:?}");
 }

@@ -60,8 +60,8 @@ impl Question for Best {
         };
         if walked.goal_difference < best.value - SAME {
             let first = Finding::plain(format!(
-                "The walk has goal difference {:.3}; there is a better one.",
-                walked.goal_difference
+                "The walk has goal difference {}; there is a better one.",
+                subject.difference(walked.goal_difference)
             ));
             return Verdict::wrong(std::iter::once(first).chain(subject.shortfall(&walked)));
         }

@@ -10,6 +10,7 @@ use crate::exercise::answer::{Answer, Arity, Form, MAX_ANSWER};
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
 use crate::exercise::{Difficulty, Unfit};
+use crate::goal_difference::nearest;
 
 /// Numbers of goals are whole, so two goal differences that are nearer than this are one.
 const SAME: f64 = 1e-9;
@@ -58,10 +59,18 @@ impl Walk {
     }
 }
 
+impl Walk {
+    /// The goal difference that the walk must have at least, where the document may have rounded it.
+    fn least(&self, subject: &Subject) -> Option<f64> {
+        let goals = subject.problem.goals().len();
+        self.goal_difference.map(|AtLeast(least)| nearest(least, goals))
+    }
+}
+
 impl Question for Walk {
     fn text(&self, subject: &Subject) -> String {
-        let difference = self.goal_difference.map(|AtLeast(least)| {
-            format!(" with a goal difference of at least {}", (least * 1000.0).round() / 1000.0)
+        let difference = self.least(subject).map(|least| {
+            format!(" with a goal difference of at least {}", subject.difference(least))
         });
         let steps = self.at_most.map(|most| format!(" of at most {most} steps"));
         let and = if difference.is_some() && steps.is_some() { "," } else { "" };
@@ -80,17 +89,18 @@ impl Question for Walk {
     fn solve(&self, subject: &Subject, form: &Form) -> Result<Solved, Unfit> {
         let shortest = subject.shortest()?;
         let most = self.at_most.map(|most| most as usize);
-        let plan = match self.goal_difference {
+        let least = self.least(subject);
+        let plan = match least {
             None => Some(subject.best_of_length(shortest)?.plan),
-            Some(AtLeast(least)) => {
+            Some(least) => {
                 subject.shortest_with(|value| value >= least - SAME, most)?.map(|best| best.plan)
             }
         };
         let plan = plan.filter(|plan| most.is_none_or(|most| plan.len() <= most));
         let plan = plan.ok_or_else(|| Unfit::new("no walk answers the question".to_owned()))?;
         let mut remarks = Vec::new();
-        let trivial = match self.goal_difference {
-            Some(AtLeast(least)) => {
+        let trivial = match least {
+            Some(least) => {
                 let best = subject.best_of_length(shortest)?.value;
                 (best >= least - SAME).then_some("a shortest walk answers it")
             }
@@ -111,12 +121,12 @@ impl Question for Walk {
                 format!("The walk has {} steps; at most {most} are asked for.", walked.plan.len());
             return Verdict::wrong([Finding::plain(text)]);
         }
-        match self.goal_difference {
-            Some(AtLeast(least)) if walked.goal_difference < least - SAME => {
-                let least = (least * 1000.0).round() / 1000.0;
+        match self.least(subject) {
+            Some(least) if walked.goal_difference < least - SAME => {
                 let first = Finding::plain(format!(
-                    "The walk has goal difference {:.3}; at least {least} is asked for.",
-                    walked.goal_difference
+                    "The walk has goal difference {}; at least {} is asked for.",
+                    subject.difference(walked.goal_difference),
+                    subject.difference(least)
                 ));
                 Verdict::wrong(std::iter::once(first).chain(subject.shortfall(&walked)))
             }
