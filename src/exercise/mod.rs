@@ -256,7 +256,8 @@ impl Exercise {
         code::write(&self.digest, variant.seed(), answer, tally)
     }
 
-    /// Reads the code of an answer, and checks the answer. `seed` is the seed that it must have, where that is known.
+    /// Reads the code of an answer, and checks the answer. `seed` is the seed that it must have, where that is known and
+    /// something varies.
     ///
     /// # Errors
     ///
@@ -276,6 +277,7 @@ impl Exercise {
         seed: Option<u64>,
         drawn: &mut BTreeMap<u64, Variant>,
     ) -> Result<Graded, CodeError> {
+        let seed = seed.filter(|_| !self.block.vary.is_empty());
         let read = code::read(&self.digest, code, seed)?;
         let none = |_| CodeError::NoVariant { seed: read.seed };
         let variant = match drawn.get(&read.seed) {

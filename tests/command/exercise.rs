@@ -217,6 +217,27 @@ fn the_seed_may_belong_to_the_name_in_a_column() {
 }
 
 #[test]
+fn where_nothing_varies_the_seed_of_a_code_and_equal_codes_say_nothing() {
+    let fixed =
+        text(GOALS).replace(r#""vary": ["start", "goals", "walls", "plan"]"#, r#""vary": []"#);
+    let check = ["exercise", "check", "-", "--answer", "G1,G2", "--json"];
+    let code = mo_copp(&fixed, &check).json()["code"].as_str().unwrap().to_owned();
+    let named = [&check[..], &["--student", "Cleo"]].concat();
+    let other = mo_copp(&fixed, &named).json()["code"].as_str().unwrap().to_owned();
+    assert_ne!(code, other);
+    let exercise = file("fixed.json", &fixed);
+    let table = format!("name,code,seed\nAda,{code},7\nBob,{code},\nCleo,{other},none\n");
+    for more in [&[][..], &["--student", "name"]] {
+        let ran = mo_copp(&table, &[&["grade", exercise.to_str().unwrap(), "-"], more].concat());
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let mut reader = csv::Reader::from_reader(ran.out.as_bytes());
+        for row in reader.records().map(Result::unwrap) {
+            assert_eq!((&row[3], &row[4]), ("1", ""), "{row:?}");
+        }
+    }
+}
+
+#[test]
 fn a_table_without_codes_is_refused_with_its_line() {
     let ran = graded("without", "name,answer\nAda,G1\n", &[]);
     assert_eq!(
