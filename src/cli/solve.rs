@@ -159,7 +159,7 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
         };
         let _ = writeln!(
             text,
-            "{which} (goals left to the enemy, to the friend; * for those on the Pareto front):"
+            "{which} (goals possible for the enemy, for the friend; * for those on the Pareto front):"
         );
         for point in points {
             let plan = point.plan.join(", ");
@@ -172,7 +172,10 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
         }
     }
     if let Some(points) = &report.lengths {
-        let _ = writeln!(text, "best goal difference of each length (goals left to either side):");
+        let _ = writeln!(
+            text,
+            "best goal difference of each length (goals possible for the enemy, for the friend):"
+        );
         for point in points {
             let _ = match (point.adversarial, point.cooperative, point.goal_difference) {
                 (Some(adversarial), Some(cooperative), Some(difference)) => writeln!(

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use mo_copp::plan::{Plan, PlanError};
-use mo_copp::problem::Problem;
+use mo_copp::problem::{Problem, SurvivorCounts};
 use mo_copp::report::TraceReport;
 use mo_copp::trace::{check_cost, pass, trace};
 
@@ -47,7 +47,8 @@ pub fn run(args: &TraceArgs) -> Result<u8, CliError> {
 /// The steps for people, and whether the plan ends in the true goal.
 fn text(problem: &Problem, plan: &Plan) -> Result<(String, bool), PlanError> {
     let mut text = String::new();
-    let (mut number, mut difference) = (0, 0.0);
+    let mut number = 0;
+    let mut counts = SurvivorCounts { adversarial: 0, cooperative: 0 };
     let reaches_goal = pass(problem, plan, |step| {
         // Writing to a text cannot fail.
         let _ = match step.action {
@@ -60,8 +61,8 @@ fn text(problem: &Problem, plan: &Plan) -> Result<(String, bool), PlanError> {
             ),
         };
         for (index, observer) in problem.observers().iter().enumerate() {
-            let seen = match &step.symbols[index] {
-                Some(symbol) => format!("saw {symbol}, "),
+            let told = match &step.symbols[index] {
+                Some(symbol) => format!("is told {symbol}, "),
                 None => String::new(),
             };
             let belief = &step.beliefs[index];
@@ -81,22 +82,33 @@ fn text(problem: &Problem, plan: &Plan) -> Result<(String, bool), PlanError> {
             let plural = if count.as_f64() == 1.0 { "" } else { "s" };
             let _ = writeln!(
                 text,
-                "  {}: {seen}{count} state{plural} ({}); goals left: {}",
+                "  {}: {told}{count} state{plural} ({}); possible goals: {}",
                 observer.name,
                 states.join(" "),
-                if goals.is_empty() { "none".to_owned() } else { goals.join(", ") }
+                // An agent that went on could make goals possible.
+                if goals.is_empty() { "none yet".to_owned() } else { goals.join(", ") }
             );
         }
         number += 1;
-        difference = problem.goal_difference(problem.survivor_counts(step.survivors));
+        counts = problem.survivor_counts(step.survivors);
         Ok(())
     })?;
-    let end = if reaches_goal { "reaches" } else { "does not reach" };
     let goal = &problem.goals()[problem.true_goal()].name;
+    let difference = problem.goal_difference(counts);
     if let Some(cost) = plan.cost(problem.task()) {
         let _ = writeln!(text, "cost: {cost}");
     }
-    let _ = writeln!(text, "the plan {end} the true goal {goal}");
-    let _ = writeln!(text, "goal difference: {difference:.3}");
+    if reaches_goal {
+        let _ = writeln!(text, "the plan reaches the true goal {goal}");
+        let _ = writeln!(text, "goal difference: {difference:.3}");
+    } else {
+        let _ = writeln!(text, "the plan does not reach the true goal {goal}");
+        let SurvivorCounts { adversarial, cooperative } = counts;
+        let _ = writeln!(
+            text,
+            "if it stopped here: {adversarial} goals possible for the enemy, {cooperative} for the friend, \
+             goal difference {difference:.3}"
+        );
+    }
     Ok((text, reaches_goal))
 }

@@ -52,15 +52,31 @@ fn the_text_shows_each_step() {
     let ran = mo_copp(EXPLICIT, &["trace", "-", "--plan", "a"]);
     let expected = "\
 start: s0
-  adversarial: 1 state (s0); goals left: none
-  cooperative: 1 state (s0); goals left: none
+  adversarial: 1 state (s0); possible goals: none yet
+  cooperative: 1 state (s0); possible goals: none yet
 step 1: a to s1
-  adversarial: saw moved, 2 states (s1 s2); goals left: G1, G2
-  cooperative: saw a, 1 state (s1); goals left: G1
+  adversarial: is told moved, 2 states (s1 s2); possible goals: G1, G2
+  cooperative: is told a, 1 state (s1); possible goals: G1
 the plan reaches the true goal G1
 goal difference: 1.000
 ";
     assert_eq!(ran.out, expected);
+}
+
+#[test]
+fn a_plan_that_does_not_reach_the_goal_has_a_goal_difference_only_if_it_stopped_there() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/problems/eight-by-eight.json");
+    let ran = mo_copp("", &["trace", path, "--plan", "north,north,east"]);
+    assert_eq!(ran.code, 1);
+    assert_eq!(ran.out.matches("possible goals: none yet\n").count(), 8, "{}", ran.out);
+    assert!(
+        ran.out.ends_with(
+            "the plan does not reach the true goal G1\n\
+             if it stopped here: 0 goals possible for the enemy, 0 for the friend, goal difference 0.000\n"
+        ),
+        "{}",
+        ran.out
+    );
 }
 
 #[test]
