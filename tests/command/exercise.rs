@@ -289,3 +289,23 @@ fn one_broken_row_leaves_the_others_their_marks() {
         );
     }
 }
+
+#[test]
+fn a_quotation_mark_that_is_not_closed_takes_no_marks_from_the_rows_after_it() {
+    let right = code("7", None);
+    let table = format!("name,code,seed\n\"Ada,{right},7\nBob,{right},7\nCleo,{right},7\n");
+    let ran = graded("quotation", &table, &[]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let mut reader = csv::Reader::from_reader(ran.out.as_bytes());
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let said: Vec<(&str, &str, &str)> =
+        rows.iter().map(|row| (&row[0], &row[3], &row[4])).collect();
+    assert_eq!(
+        said,
+        [
+            ("\"Ada", "0", "a quotation mark in line 2 is not closed"),
+            ("Bob", "1", ""),
+            ("Cleo", "1", "the same code as in line 3"),
+        ]
+    );
+}

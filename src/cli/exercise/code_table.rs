@@ -41,15 +41,8 @@ impl CodeTable {
         let text = decode(bytes);
         let mut wrong = None;
         for separator in SEPARATORS {
-            let mut reader = csv::ReaderBuilder::new()
-                .delimiter(separator)
-                .flexible(true)
-                .from_reader(text.as_bytes());
-            let broken = |error: csv::Error| {
-                (error.position().map_or(1, csv::Position::line), error.to_string())
-            };
-            let head: Vec<String> =
-                reader.headers().map_err(broken)?.iter().map(str::to_owned).collect();
+            let mut records = Records { rest: &text, line: 1, separator };
+            let head: Vec<String> = records.next().map_or_else(Vec::new, |record| record.fields);
             let Some(code) = column(&head, "code") else {
                 // What is said is how the table looks with the separator that it is most likely to have.
                 let most = wrong.as_ref().is_none_or(|seen: &Vec<String>| head.len() > seen.len());
@@ -57,10 +50,7 @@ impl CodeTable {
                 continue;
             };
             let seed = column(&head, "seed");
-            let mut rows = Vec::new();
-            for record in reader.records() {
-                rows.push(row(&record.map_err(broken)?, &head, code, separator));
-            }
+            let rows = records.map(|record| row(record, &head, code, separator)).collect();
             return Ok(Self { separator, head, rows, code, seed });
         }
         let found = wrong.unwrap_or_default().join(",");
@@ -112,9 +102,91 @@ fn column(head: &[String], wanted: &str) -> Option<usize> {
     head.iter().position(|name| name.trim().eq_ignore_ascii_case(wanted.trim()))
 }
 
+/// A record of a text, before its fields are told to columns.
+struct Record {
+    line: u64,
+    fields: Vec<String>,
+    /// Whether a quotation mark begins a field that no other ends.
+    is_open: bool,
+}
+
+/// The records of a text, one after another. A field in quotation marks may run over line ends; where its closing mark is
+/// missing or stands inside of a later field, the record is its first line, and the marks in it are signs like others.
+struct Records<'t> {
+    rest: &'t str,
+    line: u64,
+    separator: u8,
+}
+
+impl Iterator for Records<'_> {
+    type Item = Record;
+
+    fn next(&mut self) -> Option<Record> {
+        loop {
+            if self.rest.is_empty() {
+                return None;
+            }
+            let closed = record_end(self.rest, self.separator);
+            let length = closed.unwrap_or_else(|| line_end(self.rest, 0));
+            let (text, rest) = self.rest.split_at(length);
+            let line = self.line;
+            self.rest = rest;
+            // A line ends in a line feed, or, on old machines, in a carriage return.
+            let ends = text.matches('\n').count().max(text.matches('\r').count());
+            self.line += ends as u64;
+            let mut reader = csv::ReaderBuilder::new()
+                .delimiter(self.separator)
+                .quoting(closed.is_some())
+                .has_headers(false)
+                .flexible(true)
+                .from_reader(text.as_bytes());
+            // Lines without anything are no records; a text that was decoded has no other errors.
+            if let Some(Ok(record)) = reader.records().next() {
+                let fields = record.iter().map(str::to_owned).collect();
+                return Some(Record { line, fields, is_open: closed.is_none() });
+            }
+        }
+    }
+}
+
+/// Where the line ends that a place is in, with its line end.
+fn line_end(text: &str, place: usize) -> usize {
+    let is_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
+    let bytes = text.as_bytes();
+    let end = bytes[place..].iter().position(is_end).map_or(bytes.len(), |end| place + end);
+    let both = bytes[end..].starts_with(b"\r\n");
+    (end + if both { 2 } else { 1 }).min(bytes.len())
+}
+
+/// Where the first record of a text ends, with its line end; none where a quotation mark is not closed.
+fn record_end(text: &str, separator: u8) -> Option<usize> {
+    let bytes = text.as_bytes();
+    let mut place = 0;
+    loop {
+        if bytes.get(place) == Some(&b'"') {
+            let begin = place;
+            place += 1;
+            // Two marks are one that belongs to the field.
+            while bytes[place..].starts_with(b"\"\"") || *bytes.get(place)? != b'"' {
+                place += if bytes[place] == b'"' { 2 } else { 1 };
+            }
+            place += 1;
+            let ends = |byte: &u8| *byte == separator || matches!(byte, b'\r' | b'\n');
+            if bytes.get(place).is_some_and(|byte| !ends(byte)) && line_end(text, begin) < place {
+                return None;
+            }
+        }
+        let end = line_end(text, place);
+        match bytes[place..end].iter().position(|&byte| byte == separator) {
+            Some(next) => place += next + 1,
+            None => return Some(end),
+        }
+    }
+}
+
 /// A row with a field for each column. Fields that are empty may be missing or too many.
-fn row(record: &csv::StringRecord, head: &[String], code: usize, separator: u8) -> Row {
-    let mut fields: Vec<String> = record.iter().map(str::to_owned).collect();
+fn row(record: Record, head: &[String], code: usize, separator: u8) -> Row {
+    let Record { line, mut fields, is_open } = record;
     while fields.len() > head.len() && fields.last().is_some_and(|field| field.trim().is_empty()) {
         fields.pop();
     }
@@ -125,14 +197,15 @@ fn row(record: &csv::StringRecord, head: &[String], code: usize, separator: u8) 
         fields.push(rest.join(&char::from(separator).to_string()));
     }
     fields.resize(head.len(), String::new());
-    Row {
-        line: record.position().map_or(0, csv::Position::line),
-        fields,
-        broken: (!fits).then(|| {
-            let word = if found == 1 { "field" } else { "fields" };
-            format!("the row has {found} {word}, expected {}", head.len())
-        }),
-    }
+    let broken = if is_open {
+        Some(format!("a quotation mark in line {line} is not closed"))
+    } else if fits {
+        None
+    } else {
+        let word = if found == 1 { "field" } else { "fields" };
+        Some(format!("the row has {found} {word}, expected {}", head.len()))
+    };
+    Row { line, fields, broken }
 }
 
 #[cfg(test)]
@@ -180,6 +253,37 @@ mod tests {
         assert_eq!(table.rows[0].fields, ["Ada", "X", ""]);
         assert_eq!(table.rows[4].fields, ["Cleo", " A", "X,hm"]);
         assert_eq!(table.rows[4].line, 6);
+    }
+
+    #[test]
+    fn a_quotation_mark_that_is_not_closed_breaks_one_row() {
+        let broken = |text: &str| -> Vec<(u64, Vec<String>, bool)> {
+            let rows = CodeTable::read(text.as_bytes()).unwrap().rows;
+            rows.into_iter().map(|row| (row.line, row.fields, row.broken.is_some())).collect()
+        };
+        let row =
+            |line, name: &str, is_broken| (line, vec![name.to_owned(), "X".to_owned()], is_broken);
+        let (bob, cleo) = (row(3, "Bob", false), row(4, "Cleo", false));
+        for end in ["\n", "\r\n", "\r"] {
+            let of = |lines: [&str; 4]| broken(&lines.join(end));
+            let ada = row(2, "\"Ada", true);
+            let read = of(["name,code", "\"Ada,X", "Bob,X", "Cleo,X"]);
+            assert_eq!(read, [ada.clone(), bob.clone(), cleo.clone()]);
+            // A mark that begins another field does not close it, nor one inside of a field.
+            let read = of(["name,code", "\"Ada,X", "Bob,X", "\"Cleo\",X"]);
+            assert_eq!(read, [ada.clone(), bob.clone(), cleo.clone()]);
+            let read = of(["name,code", "\"Ada,X", "Bo\"b,X", "Cleo,X"]);
+            assert_eq!(read, [ada.clone(), row(3, "Bo\"b", false), cleo.clone()]);
+            let read = of(["name,code", "\"Ada,X", "\"Bob,X", "Cleo,X"]);
+            assert_eq!(read, [ada, row(3, "\"Bob", true), cleo.clone()]);
+            let read = of(["name,code", "Ada \"A\",X", "\"Bob\",\"X\"", "Cleo,X"]);
+            assert_eq!(read, [row(2, "Ada \"A\"", false), bob.clone(), cleo.clone()]);
+            // Fields may run over line ends, and have marks of their own.
+            let read = of(["name,code", "\"A \"\"d\"\"", "a\",X", "Cleo,X"]);
+            assert_eq!(read, [row(2, &format!("A \"d\"{end}a"), false), cleo.clone()]);
+        }
+        assert_eq!(broken("name,code\n\"Ada,X"), [row(2, "\"Ada", true)]);
+        assert_eq!(broken("name,code\n\n\nCleo,X\n\n"), [cleo]);
     }
 
     #[test]
