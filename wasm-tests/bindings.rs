@@ -1,7 +1,7 @@
 //! The JavaScript API as JavaScript sees it.
 
 use js_sys::{Array, JSON, Reflect};
-use mo_copp::bindings::{Problem, Run};
+use mo_copp::bindings::{Exercise, Problem, Run, seed_of};
 use mo_copp::domain::{Delivery, Document};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -282,4 +282,26 @@ fn a_picture_is_the_same_text_as_natively() {
     assert_eq!(text(&error, "message"), "step: found 4, expected a whole number from 0 to 3");
     let error = problem.picture(vec!["west".to_owned()], options("{}")).unwrap_err();
     assert_eq!(text(&error, "name"), "PlanError");
+}
+
+#[wasm_bindgen_test]
+fn the_seed_of_a_name_is_that_of_the_command() {
+    for name in ["Zo\u{eb}", "Zoe\u{308}", " \u{ff3a}o\u{eb}\u{200b}\u{3000}"] {
+        assert_eq!(seed_of(name), 395_343.0, "{name:?}");
+    }
+    assert_eq!(seed_of("Ada\u{a0} Lovelace"), seed_of("Ada Lovelace"));
+}
+
+#[wasm_bindgen_test]
+fn an_author_hears_of_the_variants_of_an_exercise() {
+    let goals = include_str!("../examples/exercises/01-possible-goals.json");
+    let sample = Exercise::new(goals, 0.0).unwrap().sample(goals).unwrap().into();
+    assert_eq!((get(&sample, "seeds"), get(&sample, "different")), (20.into(), 20.into()));
+    assert_eq!(length(&sample, "remarks"), 0);
+    let vary = r#""vary": ["start", "goals", "walls", "plan"]"#;
+    assert!(goals.contains(vary));
+    let fixed = goals.replace(vary, r#""vary": []"#);
+    assert!(Exercise::new(&fixed, 0.0).unwrap().sample(&fixed).unwrap().is_null());
+    let true_goal = goals.replace(vary, r#""vary": ["true_goal"]"#);
+    assert_eq!(text(&Exercise::new(&true_goal, 0.0).unwrap_err(), "path"), "exercise.vary");
 }

@@ -19,4 +19,6 @@ mod syntax;
 pub use error::DocumentError;
 pub(crate) use name::Names;
 pub use name::is_hidden;
+#[cfg(feature = "full")]
+pub(crate) use name::plain_name;
 pub use place::Place;

@@ -130,6 +130,28 @@ fn decomposed(text: &str) -> String {
     js_sys::JsString::from(text).normalize("NFD").into()
 }
 
+/// Compatibility composition (NFKC): as NFC, and letters of full width are as others.
+#[cfg(all(feature = "full", not(target_arch = "wasm32")))]
+fn composed(text: &str) -> String {
+    use unicode_normalization::UnicodeNormalization;
+    text.nfkc().collect()
+}
+
+/// Compatibility composition (NFKC), by the JavaScript engine.
+#[cfg(all(feature = "full", target_arch = "wasm32"))]
+fn composed(text: &str) -> String {
+    js_sys::JsString::from(text).normalize("NFKC").into()
+}
+
+/// A name as it is compared where people type it: in compatibility composition, without hidden signs and controls, and with one
+/// blank for white space between words. Capitals stay.
+#[cfg(feature = "full")]
+pub(crate) fn plain_name(name: &str) -> String {
+    let shown = |sign: &char| sign.is_whitespace() || !(sign.is_control() || is_hidden(*sign));
+    let shown: String = name.chars().filter(shown).collect();
+    composed(&shown.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
 /// The Latin letter or ASCII sign of the same shape; the sign itself where there is none. An excerpt
 /// of the table `confusables.txt` of Unicode Technical Standard #39.
 fn same_shape(sign: char) -> char {

@@ -14,7 +14,7 @@ use super::kind::{Kind, Solved};
 use super::subject::Subject;
 use super::verdict::Verdict;
 use super::{Difficulty, ExerciseError, Unfit};
-use crate::document::DocumentError;
+use crate::document::{DocumentError, plain_name};
 use crate::domain::Document;
 use crate::domain::grid::Cell;
 use crate::problem::Problem;
@@ -122,9 +122,10 @@ impl Variant {
     }
 }
 
-/// The seed of a name, for a variant that belongs to a person: the same wherever the name is written the same.
+/// The seed of a name, for a variant that belongs to a person: the same wherever the name looks the same. How many blanks
+/// stand around its words, and whether a letter and its accent are one sign or two, makes no difference; capitals do.
 pub fn seed_of(name: &str) -> u64 {
-    let bytes = Sha256::digest(name.trim().as_bytes());
+    let bytes = Sha256::digest(plain_name(name).as_bytes());
     let number = bytes.iter().take(8).fold(0_u64, |number, &byte| number << 8 | u64::from(byte));
     1 + number % (MOST_SEEDS - 1)
 }

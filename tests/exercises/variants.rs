@@ -141,6 +141,16 @@ fn what_is_too_easy_has_no_variants() {
 #[test]
 fn the_seed_of_a_name_is_the_same_everywhere() {
     assert_eq!(seed_of("Ada Lovelace"), seed_of(" Ada Lovelace "));
+    for written in
+        ["Ada  Lovelace", "Ada\u{a0}Lovelace", "\u{feff}Ada \t Lovelace\n", "Ada\u{200b} Lovelace"]
+    {
+        assert_eq!(seed_of(written), seed_of("Ada Lovelace"), "{written:?}");
+    }
+    assert_eq!(seed_of("Zo\u{eb}"), 395_343);
+    assert_eq!(seed_of("Zoe\u{308}"), 395_343);
+    assert_eq!(seed_of("\u{ff21}\u{ff44}\u{ff41} Lovelace"), seed_of("Ada Lovelace"));
+    assert_ne!(seed_of("Zoe"), 395_343);
+    assert_ne!(seed_of("ada lovelace"), seed_of("Ada Lovelace"));
     assert_ne!(seed_of("Ada Lovelace"), seed_of("Alan Turing"));
     assert!((1..1_000_000).contains(&seed_of("")));
 }
