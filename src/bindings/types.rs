@@ -270,7 +270,7 @@ export interface Counterexample {
   actions: string[];
   symbols: string[];
   end: State;
-  /** The first step, from 1, whose symbol is another than was seen. */
+  /** The first step, from 1, whose symbol is another than the observer was told. */
   differs?: number;
 }
 export interface ExerciseVerdict {

@@ -35,6 +35,11 @@ pub(super) struct BeliefLayers {
     ends: Option<Vec<StateId>>,
 }
 
+/// What is said of a goal that holds in a believed state.
+pub(super) const POSSIBLE: &str = "possible for";
+/// What is said of a believed state.
+pub(super) const BELIEVED: &str = "believed by";
+
 /// A word for an observer of a role.
 pub(super) fn called(role: Role) -> &'static str {
     match role {
@@ -189,15 +194,21 @@ impl BeliefLayers {
         ends.copied().any(|end| holds(self.space.words(end)))
     }
 
-    /// Why something is possible, or why it is not. `what` names the property, as in `the agent in G1`.
-    pub(super) fn finding(&mut self, what: &str, holds: impl Fn(&[u64]) -> bool) -> Finding {
+    /// Why something is possible or believed, or why it is not. `what` names the property, `is` is one of [`POSSIBLE`] and
+    /// [`BELIEVED`].
+    pub(super) fn finding(
+        &mut self,
+        what: &str,
+        is: &str,
+        holds: impl Fn(&[u64]) -> bool,
+    ) -> Finding {
         let who = called(self.problem.observers()[self.observer].role);
         if let Some(shown) = self.same_symbols(&holds) {
             let text = if shown.actions.is_empty() {
-                format!("{what} is possible for {who}, which believes {} at first.", shown.start)
+                format!("{what} is {is} {who}, which believes {} at first.", shown.start)
             } else {
                 format!(
-                    "{what} is possible for {who}: the walk {} from {} shows it the same symbols and ends at {}.",
+                    "{what} is {is} {who}: the walk {} from {} shows it the same symbols and ends at {}.",
                     shown.actions.join(", "),
                     shown.start,
                     shown.end
@@ -208,7 +219,7 @@ impl BeliefLayers {
         let steps = self.steps();
         let Some(shown) = self.other_symbols(&holds) else {
             let text = format!(
-                "{what} is not possible for {who}: no walk of {steps} step{} from where the agent may have begun ends there.",
+                "{what} is not {is} {who}: no walk of {steps} step{} from where the agent may have begun ends there.",
                 if steps == 1 { "" } else { "s" }
             );
             return Finding::plain(text);
@@ -216,8 +227,8 @@ impl BeliefLayers {
         let step = shown.differs.unwrap_or(steps);
         let sensor = &self.problem.observers()[self.observer].sensor;
         let text = format!(
-            "{what} is not possible for {who}: of all walks that end there, {} from {} shows the right symbols for longest, \
-             but at step {step} it shows {:?}, where {:?} was seen.",
+            "{what} is not {is} {who}: of all walks that end there, {} from {} shows the right symbols for longest, \
+             but at step {step} it shows {:?}, where {who} was told {:?}.",
             shown.actions.join(", "),
             shown.start,
             shown.symbols.get(step - 1).map_or("", |symbol| symbol.as_str()),
@@ -226,7 +237,7 @@ impl BeliefLayers {
         Finding { text, counterexample: Some(shown) }
     }
 
-    /// The symbols seen.
+    /// The symbols that the observer was told.
     pub(super) fn symbols(&self) -> Vec<String> {
         let sensor = &self.problem.observers()[self.observer].sensor;
         self.seen.iter().map(|&symbol| sensor.name(symbol).to_owned()).collect()

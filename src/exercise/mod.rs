@@ -9,7 +9,7 @@
 //! | `walk` | a walk to the true goal with a goal difference of at least x, or of at most n steps | actions |
 //! | `best` | a walk with the best goal difference | actions |
 //! | `placement` | a camera, a wall or a start with which a goal is possible after a walk, or not | a cell |
-//! | `guess` | the true goal, from what an observer saw of a walk | a goal |
+//! | `guess` | the true goal, from what an observer is told of a walk | a goal |
 //!
 //! A [`Variant`] is the question of a seed, the same everywhere; seed 0 is the document's own. An answer is checked by the
 //! definitions alone, and what is wrong with it is shown by a walk ([`Verdict`]). An answer code ([`code`](mod@code)) holds

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::Unfit;
 use super::answer::{Answer, Form};
-use super::belief_layers::BeliefLayers;
+use super::belief_layers::{BeliefLayers, POSSIBLE};
 use super::verdict::{Finding, Verdict};
 use crate::domain::Document;
 use crate::goal_difference;
@@ -216,7 +216,7 @@ impl Subject {
             let Some(goal) = goal else { continue };
             if let Ok(mut layers) = BeliefLayers::new(&self.problem, number, &walked.plan) {
                 let name = &self.problem.goals()[goal].name;
-                findings.push(layers.finding(name, |words| self.in_goal(goal, words)));
+                findings.push(layers.finding(name, POSSIBLE, |words| self.in_goal(goal, words)));
             }
         }
         findings

@@ -39,7 +39,7 @@ pub struct Counterexample {
     pub symbols: Vec<String>,
     /// Where it ends.
     pub end: StateLabel,
-    /// The first step, from 1, at which a symbol differs from what was seen; none where all are the same.
+    /// The first step, from 1, at which a symbol differs from what the observer was told; none where all are the same.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub differs: Option<usize>,
 }

@@ -46,6 +46,7 @@ fn a_goal_too_many_is_shown_by_the_walk_that_agrees_longest() {
         "{}",
         said.reason()
     );
+    assert!(said.reason().contains(", where the enemy was told \""), "{}", said.reason());
     let differs = shown.differs.unwrap();
     let seen = ["horizontal", "horizontal", "vertical", "vertical"];
     assert_eq!(shown.symbols[..differs - 1], seen[..differs - 1]);
@@ -100,6 +101,21 @@ fn a_walk_is_told_where_it_fails_and_what_it_lacks() {
     );
     let solution = variant.form().to_json(variant.solution()).to_string();
     assert!(verdict(variant, &solution).right);
+}
+
+#[test]
+fn a_state_is_believed_and_a_goal_is_possible() {
+    let exercise = exercise("02-belief");
+    let variant = exercise.original();
+    let reason = |answer: Vec<u32>| {
+        variant.check(&variant.form().answer(answer).unwrap()).reason().to_owned()
+    };
+    let right = variant.solution().choices().to_vec();
+    let missing = reason(right[1..].to_vec());
+    assert!(missing.contains(" is believed by the "), "{missing}");
+    let other = (0..1000).find(|choice| !right.contains(choice)).unwrap();
+    let too_many = reason([&right[..], &[other]].concat());
+    assert!(too_many.contains(" is not believed by the "), "{too_many}");
 }
 
 #[test]

@@ -6,6 +6,7 @@ use super::{Question, Solved, Watching};
 use crate::document::DocumentError;
 use crate::document::reader::Fields;
 use crate::exercise::answer::{Answer, Arity, Form, MAX_ANSWER, MAX_CHOICES};
+use crate::exercise::belief_layers::BELIEVED;
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
 use crate::exercise::{Difficulty, Unfit};
@@ -72,10 +73,10 @@ impl Question for Belief {
         }
         let mut remarks = Vec::new();
         if believed.len() == 1 {
-            remarks.push("only one state is possible".to_owned());
+            remarks.push("only one state is believed".to_owned());
         }
         if believed.len() == states.len() {
-            remarks.push("every state is possible".to_owned());
+            remarks.push("every state is believed".to_owned());
         }
         let difficulty = Difficulty { size: believed.len(), steps: layers.steps() };
         let answer = form.answer(believed).ok_or_else(Unfit::too_large)?;
@@ -90,14 +91,14 @@ impl Question for Belief {
                 return Verdict::wrong([Finding::plain(unfit.to_string())]);
             }
         };
-        // What was taken for possible and is not comes before what is missing.
+        // What was taken for believed and is not comes before what is missing.
         for chosen in [true, false] {
             for (place, state) in states.iter().enumerate() {
                 let holds = |words: &[u64]| words == &state[..];
                 let is_chosen = answer.choices().contains(&(place as u32));
                 if is_chosen == chosen && layers.possible(holds) != chosen {
                     let name = format!("{}", subject.problem.label(state));
-                    return Verdict::wrong([layers.finding(&name, holds)]);
+                    return Verdict::wrong([layers.finding(&name, BELIEVED, holds)]);
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! The true goal, guessed from what an observer saw of a whole walk.
+//! The true goal, guessed from what an observer is told of a whole walk.
 //!
 //! The walk is not told, only its symbols. A question is fair where they leave one goal.
 
@@ -8,6 +8,7 @@ use super::{Question, Solved, Watching};
 use crate::document::DocumentError;
 use crate::document::reader::Fields;
 use crate::exercise::answer::{Answer, Arity, Form};
+use crate::exercise::belief_layers::POSSIBLE;
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
 use crate::exercise::{Difficulty, Unfit};
@@ -29,10 +30,10 @@ impl Guess {
 impl Question for Guess {
     fn text(&self, subject: &Subject) -> String {
         let who = self.watching.who(&subject.problem);
-        let seen = self.watching.layers(subject).map(|layers| layers.symbols());
+        let told = self.watching.layers(subject).map(|layers| layers.symbols());
         format!(
-            "At the end of its walk the agent is in its goal. Of the walk {who} saw: {}. Which goal is it?",
-            seen.unwrap_or_default().join(", ")
+            "At the end of its walk the agent is in its goal. Of the walk {who} is told: {}. Which goal is it?",
+            told.unwrap_or_default().join(", ")
         )
     }
 
@@ -75,7 +76,9 @@ impl Question for Guess {
         match self.watching.layers(subject) {
             Ok(mut layers) => {
                 let name = &subject.problem.goals()[goal].name;
-                Verdict::wrong([layers.finding(name, |words| subject.in_goal(goal, words))])
+                Verdict::wrong([
+                    layers.finding(name, POSSIBLE, |words| subject.in_goal(goal, words))
+                ])
             }
             Err(unfit) => Verdict::wrong([Finding::plain(unfit.to_string())]),
         }

@@ -61,7 +61,7 @@ pub(super) enum Kind {
     Best(best::Best),
     /// A camera, a wall or a start, so that a goal is possible or not.
     Placement(placement::Placement),
-    /// The true goal, from what an observer saw of a walk.
+    /// The true goal, from what an observer is told of a walk.
     Guess(guess::Guess),
 }
 

@@ -8,6 +8,7 @@ use super::{Question, Solved, Watching};
 use crate::document::DocumentError;
 use crate::document::reader::Fields;
 use crate::exercise::answer::{Answer, Arity, Form, MAX_CHOICES};
+use crate::exercise::belief_layers::POSSIBLE;
 use crate::exercise::edit::Draft;
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
@@ -181,7 +182,7 @@ impl Question for Placement {
         if layers.possible(holds) == self.possible {
             return Verdict::right();
         }
-        let finding = layers.finding(&self.goal, holds);
+        let finding = layers.finding(&self.goal, POSSIBLE, holds);
         let text = format!("With the {name} in [{column}, {row}] {}", finding.text);
         Verdict::wrong([Finding { text, ..finding }])
     }

@@ -6,6 +6,7 @@ use super::{Question, Solved, Watching};
 use crate::document::DocumentError;
 use crate::document::reader::Fields;
 use crate::exercise::answer::{Answer, Arity, Form};
+use crate::exercise::belief_layers::POSSIBLE;
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
 use crate::exercise::{Difficulty, Unfit};
@@ -60,7 +61,7 @@ impl Question for PossibleGoals {
         for (goal, name) in subject.goal_names().enumerate() {
             let holds = |words: &[u64]| subject.in_goal(goal, words);
             if layers.possible(holds) != answer.choices().contains(&(goal as u32)) {
-                return Verdict::wrong([layers.finding(name, holds)]);
+                return Verdict::wrong([layers.finding(name, POSSIBLE, holds)]);
             }
         }
         Verdict::right()
