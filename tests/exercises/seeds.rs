@@ -1,15 +1,18 @@
-//! What a thousand seeds of an exercise come to, as a number: the same natively and in wasm.
+//! What up to a thousand seeds of an exercise come to, as a number: the same natively and in wasm.
 
 use mo_copp::exercise::Exercise;
 
-/// One exercise of each kind, and the number of its seeds.
-pub const EXERCISES: [(&str, &str); 6] = [
-    ("possible-goals", include_str!("../../examples/exercises/01-possible-goals.json")),
-    ("belief", include_str!("../../examples/exercises/02-belief.json")),
-    ("guess", include_str!("../../examples/exercises/03-guess.json")),
-    ("placement", include_str!("../../examples/exercises/06-camera.json")),
-    ("walk", include_str!("../../examples/exercises/09-walk-difference.json")),
-    ("best", include_str!("../../examples/exercises/12-best.json")),
+/// Exercises of each kind, and the number of their seeds: fewer where many draws are looked at for each.
+pub const EXERCISES: [(&str, &str, u64); 9] = [
+    ("possible-goals", include_str!("../../examples/exercises/01-possible-goals.json"), 1000),
+    ("belief", include_str!("../../examples/exercises/02-belief.json"), 1000),
+    ("guess", include_str!("../../examples/exercises/03-guess.json"), 1000),
+    ("placement", include_str!("../../examples/exercises/06-camera.json"), 1000),
+    ("placement of a wall", include_str!("../../examples/exercises/07-wall.json"), 50),
+    ("placement of a start", include_str!("../../examples/exercises/05-start.json"), 1000),
+    ("walk", include_str!("../../examples/exercises/09-walk-difference.json"), 1000),
+    ("walk of few steps", include_str!("../../examples/exercises/04-walk-length.json"), 1000),
+    ("best", include_str!("../../examples/exercises/12-best.json"), 1000),
 ];
 
 /// Draws the seeds from 1 to `most` and checks the answer of each; a hash (FNV-1a) of all documents, questions and answers.
