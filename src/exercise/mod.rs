@@ -217,7 +217,7 @@ impl Exercise {
     }
 
     /// Draws a few variants, for an author: whether students will have questions, and questions of their own. None where
-    /// nothing varies. It takes about a second at most for problems that a person can survey; to read an exercise and to
+    /// nothing varies. It takes a second or two at most for problems that a person can survey; to read an exercise and to
     /// draw one variant need none of it.
     ///
     /// # Errors

@@ -12,7 +12,7 @@ const SEEDS: u32 = 20;
 /// How many questions are drawn at most: those of four seeds without a variant.
 const MOST_DRAWS: u64 = 4 * MAX_TRIES as u64;
 
-/// What the draws may cost, in states that are passed: about a second in a browser.
+/// What the draws may cost, in states that are passed: a second or two in a browser.
 const MOST_EFFORT: u64 = 8_000_000;
 
 /// Of fewer seeds, what they have in common is no ground to refuse an exercise.
