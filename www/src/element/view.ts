@@ -116,7 +116,7 @@ export class View {
     first: Wanted,
   ) {
     this.pending = first;
-    this.address = new Address(this.playground);
+    this.address = new Address(this.playground, host.shadowRoot !== null);
     this.copier = new LinkCopier(this.address);
     this.drops = new DropTarget(this.playground);
     this.announcer = new Announcer(this.playground);

@@ -3,6 +3,7 @@
 import { effect } from "@preact/signals-core";
 import type { Solving } from "../state/solving.js";
 import { pressed } from "../view/pressed.js";
+import { isOwn, leadsSomewhere } from "./fragment.js";
 import { LinkError, LONGEST_LINK, MOST_TEXT, pack, unpack } from "./packed.js";
 import { type RestoreStores, restore } from "./restore.js";
 import { readState, stateOf } from "./shared-state.js";
@@ -27,7 +28,11 @@ export class Address {
   /** How many links are being opened: what is between two states is not worth an address. */
   private restoring = 0;
 
-  constructor(private readonly playground: AddressStores) {}
+  constructor(
+    private readonly playground: AddressStores,
+    /** Whether the page is another's: then fragments that are not ours are its own. */
+    private readonly guest: boolean,
+  ) {}
 
   /** Takes the address over, where no other playground has it. */
   claim(): boolean {
@@ -49,7 +54,7 @@ export class Address {
   /** Opens what the address holds: null where it holds nothing of ours. */
   async read(): Promise<boolean | null> {
     const fragment = location.hash.slice(1);
-    if (fragment === "" || document.getElementById(fragment) !== null) return null;
+    if (fragment === "" || leadsSomewhere(fragment) || (this.guest && !isOwn(fragment))) return null;
     this.restoring += 1;
     try {
       return await restore(this.playground, readState(await unpack(fragment)));
@@ -103,13 +108,19 @@ export class Address {
     if (this.restoring > 0) return;
     await this.update();
     const fragment = this.packed;
-    if (owner !== this || this.text !== this.wanted()) return;
+    if (owner !== this || this.text !== this.wanted() || this.isTaken()) return;
     try {
       // A problem that is too large for a link has none: an old one would be wrong.
       history.replaceState(history.state, "", fragment === null ? location.pathname + location.search : `#${fragment}`);
     } catch {
       // A page inside another may not be allowed to; the link can be copied all the same.
     }
+  }
+
+  /** Whether the address holds what belongs to the page around: a place in it, or a route. */
+  private isTaken(): boolean {
+    const fragment = location.hash.slice(1);
+    return this.guest && fragment !== "" && (leadsSomewhere(fragment) || !isOwn(fragment));
   }
 
   private async update(): Promise<void> {
