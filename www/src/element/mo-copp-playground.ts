@@ -107,7 +107,10 @@ export class MoCoppPlayground extends PlaygroundElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#stopFollowing ??= followInProse(this, () => void this.show());
+    this.#stopFollowing ??= followInProse(this, {
+      wake: () => void this.show(),
+      again: (name) => this.follow(name),
+    });
     this.#theme?.connect();
   }
 

@@ -147,7 +147,11 @@ export abstract class PlaygroundElement extends Base {
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
-    if (before === after) return;
+    if (before !== after) this.follow(name);
+  }
+
+  /** Does what an attribute says. */
+  protected follow(name: string): void {
     this.#view?.attributeChanged(name);
   }
 

@@ -3,6 +3,7 @@
 // `data-mo-copp-show` what is shown or, in a field, shown and set.
 import { shortNumber } from "../view/numbers.js";
 import { bringIntoView, isSeen } from "./into-view.js";
+import { chosenIn, showIn } from "./prose-field.js";
 
 const FOR = "data-mo-copp-for";
 const SET = "data-mo-copp-set-";
@@ -22,14 +23,24 @@ interface Shown {
 /** What each playground told last, wherever in the page it was moved since. */
 const told = new WeakMap<HTMLElement, Shown>();
 
-/**
- * Begins to follow `host`; returns how to stop. Nothing but the page's own words is changed, and those as text. `wake` has a
- * playground drawn that waits to be seen.
- */
-export function followInProse(host: HTMLElement, wake: () => void): () => void {
+interface Followed {
+  /** Has a playground drawn that waits to be seen. */
+  wake: () => void;
+  /** Follows an attribute that says so already: since it was set, something else may have been chosen by hand. */
+  again: (attribute: string) => void;
+}
+
+/** Begins to follow `host`; returns how to stop. Nothing but the page's own words is changed, and those as text. */
+export function followInProse(host: HTMLElement, { wake, again }: Followed): () => void {
   const root = host.getRootNode() as Document | ShadowRoot;
   const selector = () => `[${FOR}="${CSS.escape(host.id)}"]`;
   const parts = (): HTMLElement[] => (host.id === "" ? [] : [...root.querySelectorAll<HTMLElement>(selector())]);
+  const set = (wanted: readonly [name: string, value: string][]) => {
+    for (const [name, value] of wanted) {
+      if (host.getAttribute(name) === value) again(name);
+      else host.setAttribute(name, value);
+    }
+  };
   const show = () => {
     for (const part of parts()) write(part, host, told.get(host) ?? null);
   };
@@ -43,7 +54,7 @@ export function followInProse(host: HTMLElement, wake: () => void): () => void {
     const wanted = part === undefined ? [] : changes(part);
     if (wanted.length === 0 || isForBrowser(event as MouseEvent)) return;
     event.preventDefault();
-    set(host, wanted);
+    set(wanted);
     wake();
     // What was done is to be seen.
     if (!isSeen(host)) bringIntoView(host);
@@ -51,8 +62,9 @@ export function followInProse(host: HTMLElement, wake: () => void): () => void {
   const typed = (event: Event) => {
     const part = partOf(event, parts());
     const name = part?.getAttribute(SHOW) ?? "";
-    if (!(part instanceof HTMLInputElement) || !settable.has(name) || isUnfinished(part)) return;
-    set(host, [[name, part.value]]);
+    const value = part === undefined || !settable.has(name) ? null : chosenIn(part);
+    if (value === null) return;
+    set([[name, value]]);
     wake();
   };
   const listeners: [EventTarget, string, (event: Event) => void][] = [
@@ -87,30 +99,17 @@ const brings = ({ type, addedNodes }: MutationRecord, selector: string): boolean
 const isForBrowser = ({ ctrlKey, metaKey, shiftKey, altKey }: MouseEvent): boolean =>
   ctrlKey || metaKey || shiftKey || altKey;
 
-/** A number that is being typed: the field is empty or holds what it does not allow. */
-const isUnfinished = (field: HTMLInputElement): boolean =>
-  field.type === "number" && (field.value === "" || !field.validity.valid);
-
+/** The innermost: a label may hold a field. */
 const partOf = (event: Event, parts: readonly HTMLElement[]): HTMLElement | undefined =>
-  parts.find((part) => event.composedPath().includes(part));
+  event
+    .composedPath()
+    .map((at) => parts.find((part) => part === at))
+    .find((part) => part !== undefined);
 
 const changes = (part: Element): [name: string, value: string][] =>
   [...part.attributes]
     .filter(({ name }) => name.startsWith(SET) && settable.has(name.slice(SET.length)))
     .map(({ name, value }) => [name.slice(SET.length), value]);
-
-/** An attribute that says so already was left by hand since: the step is asked for again all the same. */
-function set(host: HTMLElement, wanted: readonly [name: string, value: string][]): void {
-  for (const [name, value] of wanted) {
-    if (name === "step" && host.getAttribute("step") === value) {
-      const playground = host as HTMLElement & { goTo(step: number): Promise<void> };
-      // What is no step has been said on the element.
-      playground.goTo(Number(value)).catch(() => undefined);
-    } else {
-      host.setAttribute(name, value);
-    }
-  }
-}
 
 function write(part: HTMLElement, host: HTMLElement, shown: Shown | null): void {
   const step = part.getAttribute(`${SET}step`);
@@ -120,13 +119,7 @@ function write(part: HTMLElement, host: HTMLElement, shown: Shown | null): void 
   }
   const name = part.getAttribute(SHOW);
   const value = name === null ? null : shownValue(name, host, shown);
-  if (value === null) return;
-  if (part instanceof HTMLInputElement) {
-    if (name === "step" && shown !== null) Object.assign(part, { min: part.min || "0", max: String(shown.steps) });
-    part.value = value;
-  } else if (part.textContent !== value) {
-    part.textContent = value;
-  }
+  if (value !== null) showIn(part, value, name === "step" ? (shown?.steps ?? null) : null);
 }
 
 function shownValue(name: string, host: HTMLElement, shown: Shown | null): string | null {

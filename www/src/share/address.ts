@@ -54,7 +54,7 @@ export class Address {
   /** Opens what the address holds: null where it holds nothing of ours. */
   async read(): Promise<boolean | null> {
     const fragment = location.hash.slice(1);
-    if (fragment === "" || leadsSomewhere(fragment) || (this.guest && !isOwn(fragment))) return null;
+    if (fragment === "" || this.isForeign(fragment)) return null;
     this.restoring += 1;
     try {
       return await restore(this.playground, readState(await unpack(fragment)));
@@ -108,7 +108,9 @@ export class Address {
     if (this.restoring > 0) return;
     await this.update();
     const fragment = this.packed;
-    if (owner !== this || this.text !== this.wanted() || this.isTaken()) return;
+    const present = location.hash.slice(1);
+    if (owner !== this || this.text !== this.wanted()) return;
+    if (this.guest && present !== "" && this.isForeign(present)) return;
     try {
       // A problem that is too large for a link has none: an old one would be wrong.
       history.replaceState(history.state, "", fragment === null ? location.pathname + location.search : `#${fragment}`);
@@ -117,10 +119,9 @@ export class Address {
     }
   }
 
-  /** Whether the address holds what belongs to the page around: a place in it, or a route. */
-  private isTaken(): boolean {
-    const fragment = location.hash.slice(1);
-    return this.guest && fragment !== "" && (leadsSomewhere(fragment) || !isOwn(fragment));
+  /** Whether a fragment is a place of the page, or, where the page is another's, anything but ours: a route, say. */
+  private isForeign(fragment: string): boolean {
+    return leadsSomewhere(fragment) || (this.guest && !isOwn(fragment));
   }
 
   private async update(): Promise<void> {
