@@ -26,6 +26,15 @@ export interface SharedState {
   answer?: { choices: number[]; attempts: number; hints: number; checked?: { code: string; score: number } };
 }
 
+/** What the playground's form can ask of a solver; `null` takes a number away. `mo-copp/core` has the other options. */
+export interface ElementSolveOptions extends Pick<SolveOptions, "encoding"> {
+  solver?: SolveOptions["solver"];
+  k?: number | null;
+  j?: number | null;
+  horizon?: SolveOptions["horizon"] | null;
+  horizon_step?: number | null;
+}
+
 /** Without any: all boards of the step shown, with captions, in the playground's own colours. */
 export interface SvgOptions extends Omit<PictureOptions, "animate"> {
   /** All steps of what is shown, one after another, without end. */
@@ -83,8 +92,8 @@ export declare class MoCoppPlayground extends HTMLElement {
   watch: boolean;
   /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number. */
   goTo(step: number): Promise<void>;
-  /** Solves the open problem; rejects with a sentence where the options do not fit. */
-  solve(options?: Partial<SolveOptions> | null): Promise<Answered>;
+  /** Solves the open problem; rejects with a sentence where the options do not fit or are not the element's. */
+  solve(options?: ElementSolveOptions | null): Promise<Answered>;
   /**
    * The step shown as the text of an SVG picture, the same as `mo-copp picture` writes; with `walk` all steps, animated.
    * Rejects with a sentence where there is nothing to draw, or an option does not fit.

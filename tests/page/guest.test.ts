@@ -521,6 +521,10 @@ test("methods reject with a sentence what can't be used, and change nothing by i
         playground.solve({ encoding: "toString" }),
         playground.solve({ k: "x" }),
         playground.solve({ k: 99 }),
+        playground.solve({ solver: "exact", cost_limit: 3 }),
+        ...[{ pairs: true }, { lengths: 4 }, { horizon_limit: 3 }, { hroizon: 3 }].map((options) => playground.solve(options)),
+        playground.solve({ forbid: [{ observer: "adversarial", goal: "G1" }] }),
+        ...["exact", ["exact"], 3].map((options) => playground.solve(options)),
         apart.goTo(1),
         apart.toSVG(),
         apart.solve(),
@@ -530,7 +534,9 @@ test("methods reject with a sentence what can't be used, and change nothing by i
       refused.push(...(await told([playground.solve({ k: 0 })])));
       const done = [];
       for (const call of [
-        () => playground.solve({ solver: "ip", horizon: 5 }),
+        () => playground.solve({ solver: "ip", horizon: 5, cost_limit: undefined }),
+        () => playground.solve({ solver: "ip", horizon: null, horizon_step: 5 }),
+        () => playground.solve({ solver: "exact" }),
         () => playground.solve(null),
         () => playground.toSVG(null),
         () => playground.goTo(Infinity),
@@ -544,8 +550,14 @@ test("methods reject with a sentence what can't be used, and change nothing by i
     assert.match(said.refused[0] ?? "", /“abc” is no step; expected a whole number from 0 to 5/);
     assert.match(said.refused[4] ?? "", /“nonsense” can’t be used as the solver; expected exact, ip/);
     assert.match(said.refused[6] ?? "", /k must be a whole number; found “x”/);
+    assert.match(
+      said.refused[8] ?? "",
+      /“cost_limit” is no option that a playground knows; expected solver, encoding, k/,
+    );
+    assert.match(said.refused[12] ?? "", /“hroizon” is no option/);
+    assert.match(said.refused[14] ?? "", /“exact” can’t be used as options; expected an object/);
     assert.deepEqual([said.before.status, said.before.step], ["optimal", "5"]);
-    assert.deepEqual(said.done, ["did", "did", "did", "did", "did"]);
+    assert.deepEqual(said.done, Array(7).fill("did"));
     assert.equal(said.step, "2");
     assert.equal(
       await page

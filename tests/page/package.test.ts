@@ -78,7 +78,9 @@ test("its types fit, and are those that the element has", () => {
        const options: SvgOptions = { walk: true, board: "actor", captions: false, theme: "dark", milliseconds: 500 };
        void element.toSVG(options).then((svg) => svg.length);
        inside(element).querySelector("[data-goal]");
-       void element.solve({ solver: "search", k: 2 }).then(({ plan }) => plan?.length);
+       void element.solve({ solver: "search", k: 2, j: null }).then(({ plan }) => plan?.length);
+       // @ts-expect-error the form has no such field
+       void element.solve({ cost_limit: 3 });
        element.loading = "lazy";
        element.step = 2;
        element.plan = ["north", "east"];

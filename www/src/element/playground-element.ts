@@ -1,13 +1,13 @@
 // The custom element: its attributes and its life in the page. What it shows comes with the view, which is loaded when
 // the element nears what is seen of the page. This file needs no document to be loaded.
 
-import type { SolveOptions } from "../core.js";
 import type { ProblemDocument } from "../problem/types.js";
 import type { SharedState } from "../share/shared-state.js";
 import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
 import { followed } from "./attributes.js";
 import { reflect, reflected } from "./reflected.js";
+import type { ElementSolveOptions } from "./solve-options.js";
 import type { SvgOptions } from "./svg-options.js";
 import type { View, Wanted } from "./view.js";
 import { whenNear, whenParsed } from "./when.js";
@@ -92,7 +92,7 @@ export abstract class PlaygroundElement extends Base {
   }
 
   /** Solves the open problem. Rejects with a sentence where the options do not fit or the solver was lost. */
-  async solve(options: Partial<SolveOptions> | null = {}): Promise<Answered> {
+  async solve(options: ElementSolveOptions | null = {}): Promise<Answered> {
     return (await this.#whenDrawn()).solve(options ?? {});
   }
 

@@ -1,7 +1,6 @@
 // What an element shows: the whole playground, drawn into the element itself or into its shadow root.
 import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
-import type { SolveOptions } from "../core.js";
 import { toolbar } from "../edit/toolbar.js";
 import type { ExerciseViewStores } from "../exercise/exercise-view.js";
 import { galleryMenu } from "../gallery/menu.js";
@@ -49,7 +48,7 @@ import {
   settingsOf,
   settle,
 } from "./settings.js";
-import { changeOf } from "./solve-options.js";
+import { changeOf, type ElementSolveOptions } from "./solve-options.js";
 import { pictureOptions, type SvgOptions } from "./svg-options.js";
 import { followScheme, schemeOf } from "./theme.js";
 
@@ -214,7 +213,7 @@ export class View {
   }
 
   /** Options that can't be used leave the form as it was: the next ones are asked for on their own. */
-  async solve(options: Partial<SolveOptions>): Promise<Answered> {
+  async solve(options: ElementSolveOptions): Promise<Answered> {
     const { answer, form, problem, solving } = this.playground;
     const before = form.value;
     const change = changeOf(options);
