@@ -1,12 +1,12 @@
 // What a page asks of a playground by the element's attributes.
 
 import type { Playground } from "../playground/playground.js";
-import { LARGEST_DOCUMENT, LARGEST_IN_WORDS } from "../problem/limits.js";
+import { inFile } from "../share/fault-words.js";
 import { emptyForm, type Form, solverNames } from "../state/form.js";
 import { fitted } from "../state/numbers.js";
-import { forbidsLoading } from "../worker/policy.js";
+import { brief } from "../view/names.js";
 import type { Seed } from "../worker/protocol.js";
-import { nextTurn } from "../worker/turn.js";
+import { fetched } from "./fetched.js";
 import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
 
@@ -115,19 +115,30 @@ const unusable = (name: string, text: string, expected: string): string =>
 
 const stepOf = (text: string): number | null => (/^\s*\d{1,6}\s*$/.test(text) ? Number(text) : null);
 
+interface Settling {
+  /** Whether these settings are still the last ones asked for; when they are not, the rest is left to those that came after. */
+  wanted: () => boolean;
+  /** Asks for them once more. */
+  again: () => void;
+}
+
 /**
- * Opens what the attributes ask for; without any, what the page begins with. `at`: which step is shown then. `wanted`: whether they are still the last
- * ones asked for; when they are not, the rest is left to those that came after them. False where it came to no end.
+ * Opens what the attributes ask for; without any, what the page begins with. `at`: which step is shown then. False where
+ * it came to no end; what was missing may be there the next time.
  */
 export async function settle(
   playground: Playground,
   settings: Settings,
   fallback: string,
   at: "first" | "end",
-  wanted: () => boolean,
+  settling: Settling,
 ): Promise<boolean> {
-  const opened = await openProblem(playground, settings, fallback, at, wanted);
-  if (!opened || !wanted()) return false;
+  const { wanted, again } = settling;
+  const { answer } = playground;
+  const opened = await openProblem(playground, settings, fallback, at, settling);
+  if (!wanted()) return false;
+  if (answer.again.value !== null) answer.again.value = again;
+  if (!opened) return false;
   // A question is neither solved nor shown a plan.
   if (playground.exercise.posed.value !== null) return true;
   const form = formOf(settings);
@@ -138,8 +149,10 @@ export async function settle(
     await playground.solving.solve(at);
     if (!wanted()) return false;
   }
-  if (settings.plan !== null) await showPlan(playground, settings.plan, at, wanted);
-  return wanted();
+  if (settings.plan !== null && answer.again.value === null) await showPlan(playground, settings.plan, at, wanted);
+  if (!wanted()) return false;
+  if (answer.again.value !== null) answer.again.value = again;
+  return answer.again.value === null;
 }
 
 export function goToStep({ timeline }: Playground, { step }: Settings): void {
@@ -152,14 +165,14 @@ async function openProblem(
   { src, problem }: Settings,
   fallback: string,
   at: "first" | "end",
-  wanted: () => boolean,
+  { wanted, again }: Settling,
 ): Promise<boolean> {
   const { gallery } = playground;
   if (src !== null) {
-    const { text, fault } = await fetched(src);
+    const { text, fault, mayCome } = await fetched(src);
     if (!wanted()) return false;
-    if (text !== undefined) return playground.edits.open(text, {}, "exact", at);
-    playground.solving.refuse(`The problem document “${src}” ${fault}`);
+    if (text !== undefined) return openFetched(playground, src, text, at, wanted);
+    playground.solving.refuse(fault, mayCome ? again : null);
     return false;
   }
   if (problem === null) return playground.edits.open(fallback, {}, "exact", at);
@@ -167,32 +180,21 @@ async function openProblem(
   return wanted() && gallery.open(problem, at);
 }
 
-type Fetched = { text: string; fault?: never } | { text?: never; fault: string };
-
-const TOO_LARGE: Fetched = { fault: `is too large: at most ${LARGEST_IN_WORDS} can be opened.` };
-const INSIDE = "A document may stand in the element itself, as a script of the type application/json.";
-
-async function fetched(given: string): Promise<Fetched> {
-  try {
-    const response = await fetch(new URL(given, document.baseURI));
-    if (!response.ok) return { fault: `could not be loaded: its address was answered with ${response.status}.` };
-    if (Number(response.headers.get("Content-Length")) > LARGEST_DOCUMENT) return TOO_LARGE;
-    const text = await response.text();
-    return text.length > LARGEST_DOCUMENT ? TOO_LARGE : { text };
-  } catch {
-    return { fault: await whyNot(given) };
-  }
-}
-
-/** Why nothing came of an address. */
-async function whyNot(given: string): Promise<string> {
-  if (!URL.canParse(given, document.baseURI)) return "could not be loaded: this is no address.";
-  const { href, protocol } = new URL(given, document.baseURI);
-  if (protocol === "file:") return `could not be loaded: browsers let a page on a disk read no other file. ${INSIDE}`;
-  // Word of a policy comes after the failure.
-  await nextTurn();
-  if (!forbidsLoading(href)) return "could not be loaded.";
-  return `could not be loaded: the page’s content policy forbids it, and must allow its host in connect-src. ${INSIDE}`;
+/** What is wrong with a document is said with its address and the line. */
+async function openFetched(
+  { answer, draft, edits }: Playground,
+  src: string,
+  text: string,
+  at: "first" | "end",
+  wanted: () => boolean,
+): Promise<boolean> {
+  if (await edits.open(text, {}, "exact", at)) return true;
+  const said = answer.error.peek();
+  if (said === null || answer.again.value !== null || !wanted()) return false;
+  const fault = await draft.faultOf(text);
+  if (answer.error.peek() === said)
+    answer.error.value = said === fault?.message ? inFile(src, text, fault) : `“${brief(src)}”: ${said}`;
+  return false;
 }
 
 function formOf({ solver, k, j, horizon }: Settings): Partial<Form> {

@@ -1,5 +1,4 @@
 // What an element shows: the whole playground, drawn into the element itself or into its shadow root.
-import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import { toolbar } from "../edit/toolbar.js";
 import type { ExerciseViewStores } from "../exercise/exercise-view.js";
@@ -105,8 +104,6 @@ export class View {
   private given: string | null = null;
   /** What a script gave and is on its way. */
   private pending: Wanted;
-  /** What the attributes ask for could not be loaded. */
-  private readonly unreachable = signal(false);
 
   constructor(
     private readonly host: HTMLElement,
@@ -201,6 +198,8 @@ export class View {
     if (this.pending !== pending) return;
     this.pending = nothingGiven;
     if (!opened && this.given === document) this.given = before;
+    const { again } = this.playground.answer;
+    if (!opened && again.value !== null) again.value = () => void this.give(pending, document, open);
   }
 
   goTo(step: number): void {
@@ -273,8 +272,8 @@ export class View {
     const asked = settingsOf(this.host);
     const settings = this.given === null ? asked : { ...asked, src: null, problem: null };
     const document = this.given ?? inline(this.host) ?? exampleDocument;
-    const settled = await settle(this.playground, settings, document, at, wanted);
-    if (wanted()) this.unreachable.value = !settled && settings.src !== null;
+    const again = () => void this.settle(at);
+    const settled = await settle(this.playground, settings, document, at, { wanted, again });
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
     if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners, "seed", "loading"]));
@@ -293,7 +292,7 @@ export class View {
     if (found.length === 0) return;
     const said = this.playground.answer.error.peek();
     const others = said === null || found.some((mistake) => said.includes(mistake)) ? [] : [said];
-    this.playground.solving.refuse([...others, ...found].join(" "));
+    this.playground.solving.refuse([...others, ...found].join(" "), this.playground.answer.again.peek());
   }
 
   /** The address goes before the attributes: a link that was followed holds what is wanted. */
@@ -310,19 +309,16 @@ export class View {
     }
     const opened = this.sharing ? await this.address.read() : null;
     if (opened === true || this.followed > 0) return;
-    const { playground } = this;
-    const mistake = playground.answer.error.value;
+    const { answer, solving } = this.playground;
+    const [mistake, again] = [answer.error.value, answer.again.value];
     await this.settle(this.opensAt);
-    if (opened === false && mistake !== null) playground.solving.refuse(mistake);
+    if (opened === false && mistake !== null) solving.refuse(mistake, again);
   }
 
   /** What failed for want of a connection or of a solver is tried again by one click. */
   private again(): TemplateResult | typeof nothing {
-    const { answer, problem, solving } = this.playground;
-    const nothingOpen = problem.document.value === null;
-    if (!this.unreachable.value && !answer.lost.value && !nothingOpen) return nothing;
-    const act = () => void (this.unreachable.value || nothingOpen ? this.settle(this.opensAt) : solving.solve());
-    return html` <button type="button" class="again" @click=${act}>Try again</button>`;
+    const again = this.playground.answer.again.value;
+    return again === null ? nothing : html` <button type="button" class="again" @click=${again}>Try again</button>`;
   }
 
   private content(): TemplateResult {

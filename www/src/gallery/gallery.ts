@@ -55,8 +55,9 @@ export class Gallery {
     const known = entries.some((entry) => entry.name === name);
     this.playground.solving.refuse(
       known
-        ? "The gallery could not be loaded. Is there a connection?"
+        ? "The gallery could not be loaded. Check the connection, then try again."
         : `There is no problem called “${name}” in the gallery.`,
+      known ? () => void this.open(name, at) : null,
     );
     return false;
   }

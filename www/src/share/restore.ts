@@ -28,6 +28,8 @@ export async function restore(playground: RestoreStores, state: SharedState): Pr
   const stop = showMeanwhile(playground, state);
   const right = await playground.edits.open(state.document, form, state.answered ? "chosen" : "exact");
   stop();
+  const { again } = playground.answer;
+  if (!right && again.value !== null) again.value = () => void restore(playground, state);
   if (!right) return false;
   if (playground.exercise.posed.value !== null) {
     if (state.answer !== undefined) await playground.exercise.resume(state.answer);

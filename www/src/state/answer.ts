@@ -23,8 +23,8 @@ export class Answer {
   /** Solving takes so long that it should be seen. */
   readonly slow = signal(false);
   readonly error = signal<string | null>(null);
-  /** The solver was lost, or could not be had: the same may work the next time. */
-  readonly lost = signal(false);
+  /** Does again what came to nothing for want of a connection or of a solver; null where that would be of no use. */
+  readonly again = signal<(() => void) | null>(null);
   readonly progress = signal<Progress | null>(null);
   /** How long the solver has been at work. */
   readonly stopwatch = new Stopwatch();
@@ -37,6 +37,7 @@ export class Answer {
     if (this.status.value !== "solving") this.stopwatch.start();
     batch(() => {
       this.error.value = null;
+      this.again.value = null;
       this.status.value = "solving";
     });
   }
@@ -60,8 +61,8 @@ export class Answer {
     this.trace = start;
   }
 
-  /** Says why there is no answer; what was answered before stays. */
-  fail(ending: Ending): void {
+  /** Says why there is no answer; what was answered before stays. `again` asks for the same once more. */
+  fail(ending: Ending, again: (() => void) | null = null): void {
     // What came after a stale task sets the state itself.
     if (ending.kind !== "refused" && ending.kind !== "lost") return;
     this.stopwatch.stop();
@@ -69,7 +70,7 @@ export class Answer {
       this.progress.value = null;
       this.slow.value = false;
       this.status.value = "error";
-      this.lost.value = ending.kind === "lost";
+      this.again.value = again;
       this.error.value = ending.kind === "refused" ? ending.message : lost(ending);
     });
   }

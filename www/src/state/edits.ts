@@ -11,7 +11,7 @@ import type { Solving } from "./solving.js";
 
 interface Stores {
   problem: OpenProblem;
-  answer: Pick<Answer, "error" | "ran">;
+  answer: Pick<Answer, "again" | "dismiss" | "ran">;
   editing: Pick<Editing, "drag">;
   exercise: Pick<Exercise, "close" | "leave" | "open" | "stopOpening" | "textOf">;
   form: Signal<Form>;
@@ -37,12 +37,13 @@ export class Edits {
     locked: readonly string[] = [],
   ): Promise<boolean> {
     const { problem, answer, editing, form: asked, solving, exercise } = this.stores;
+    const again = () => void this.open(text, form, solver, at, locked);
     const question = exercise.textOf(text);
     if (question !== null) {
       const refused = await exercise.open(question);
-      if (refused !== null) solving.refuse(refused);
+      if (refused !== null) solving.refuse(refused.message, refused.missing ? again : null);
       // What was said of another document is over.
-      else answer.error.value = null;
+      else answer.dismiss();
       return refused === null;
     }
     // A question on its way would come over it; the one that is open stays until there is something else.
@@ -74,6 +75,7 @@ export class Edits {
     if (problem.document.value !== document) {
       // Another document may have been asked for meanwhile, with a form of its own.
       if (asked.value === fitting && problem.document.value === before) asked.value = asking;
+      if (answer.again.value !== null) answer.again.value = again;
       return false;
     }
     if (before !== null && before.text !== text) problem.history.record(before);

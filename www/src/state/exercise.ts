@@ -5,6 +5,7 @@ import { Copier } from "../view/copier.js";
 import type { Ending } from "../worker/client.js";
 import type { Board, Fault, Seed } from "../worker/protocol.js";
 import { TaskRunner } from "../worker/runner.js";
+import { isMissing, lost } from "./lost.js";
 
 export interface Picture {
   board: Board;
@@ -31,6 +32,13 @@ interface Posed {
   seed: Seed;
   /** Whose question it is was left to the student. */
   anyone: boolean;
+}
+
+/** Why no question could be asked. */
+export interface Refusal {
+  message: string;
+  /** The same may work the next time. */
+  missing: boolean;
 }
 
 /** What the core says of an exercise. */
@@ -114,14 +122,14 @@ export class Exercise {
   }
 
   /** Asks the question of a document, that of a name where one is given. Null where that was possible, else why not. */
-  async open(text: string, name: string | null = null): Promise<string | null> {
+  async open(text: string, name: string | null = null): Promise<Refusal | null> {
     this.opening.value = true;
     const { anyone } = this;
     const seed = name === null || name === "" ? this.seed : { name };
     const ending = await this.runner.run({ kind: "exercise", document: text, seed });
     if (ending.kind === "stale") return null;
     this.opening.value = false;
-    if (ending.kind !== "asked") return messageOf(ending);
+    if (ending.kind !== "asked") return { message: messageOf(ending), missing: isMissing(ending) };
     batch(() => {
       this.posed.value = { text, question: ending.question, seed, anyone };
       this.name.value = name;
@@ -140,7 +148,7 @@ export class Exercise {
     const posed = this.posed.value;
     if (posed === null || !this.asksName.value) return;
     const refused = await this.open(posed.text, name.trim());
-    if (refused !== null && posed === this.posed.value) this.error.value = refused;
+    if (refused !== null && posed === this.posed.value) this.error.value = refused.message;
   }
 
   /** What is wrong with a document's exercise, and what makes it trivial; null where another was looked at meanwhile. */
@@ -325,5 +333,6 @@ function withBlock(document: object, block: string): string {
 }
 
 function messageOf(ending: Ending): string {
-  return ending.kind === "refused" || ending.kind === "lost" ? ending.message : "The exercise could not be opened.";
+  if (ending.kind === "lost") return lost(ending);
+  return ending.kind === "refused" ? ending.message : "The exercise could not be opened.";
 }

@@ -1,6 +1,10 @@
 // What is said of a worker that was lost.
 import type { Ending } from "../worker/client.js";
 
+/** Whether a task came to nothing for want of a solver, or of a part of it: the same may work the next time. */
+export const isMissing = (ending: Ending): boolean =>
+  ending.kind === "lost" || (ending.kind === "refused" && ending.unloaded === true);
+
 export function lost({ message, forbidden, unstarted }: Extract<Ending, { kind: "lost" }>): string {
   if (forbidden) return `The solver cannot run here: ${message}.`;
   if (unstarted)

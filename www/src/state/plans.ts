@@ -1,7 +1,9 @@
 // Plans that are no solver's answer on the boards: those of a table, of a link, or of the person who walks.
 import type { NextAction, Trace } from "../core.js";
+import type { Ending } from "../worker/client.js";
 import type { Answer } from "./answer.js";
 import type { Boards } from "./boards.js";
+import { isMissing } from "./lost.js";
 import type { OpenProblem } from "./open-problem.js";
 import type { Solving } from "./solving.js";
 
@@ -20,7 +22,7 @@ export class Plans {
     const document = this.stores.problem.document.value;
     if (document === null) return;
     const ending = await this.stores.solving.ask({ kind: "trace", document: document.text, plan });
-    if (ending.kind !== "traced") this.stores.answer.fail(ending);
+    if (ending.kind !== "traced") this.fail(ending, () => void this.show(plan, title, wanted, at));
     else if (wanted()) this.stores.boards.showPlan(ending.trace, title, at);
   }
 
@@ -37,7 +39,11 @@ export class Plans {
     const ending = await this.stores.solving.ask({ kind: "walk", document: document.text, plan });
     if (ending.kind === "walked") return ending;
     if (ending.kind === "refused") return ending.message;
-    this.stores.answer.fail(ending);
+    this.fail(ending, null);
     return null;
+  }
+
+  private fail(ending: Ending, again: (() => void) | null): void {
+    this.stores.answer.fail(ending, isMissing(ending) ? again : null);
   }
 }

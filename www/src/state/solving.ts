@@ -9,6 +9,7 @@ import type { Answer } from "./answer.js";
 import type { Boards } from "./boards.js";
 import { Coalesce } from "./coalesce.js";
 import { exactOptions, type Form, optionsOf } from "./form.js";
+import { isMissing } from "./lost.js";
 import { fitted } from "./numbers.js";
 import type { OpenDocument, OpenProblem } from "./open-problem.js";
 import type { At, Timeline } from "./timeline.js";
@@ -116,10 +117,11 @@ export class Solving {
     return (this.answer.status.value === "solving" ? this.aside : this.runner).run(task);
   }
 
-  /** Says that something can't be used, and leaves the rest as it is. */
-  refuse(message: string): void {
+  /** Says that something can't be used, and leaves the rest as it is. `again`: what may work the next time. */
+  refuse(message: string, again: (() => void) | null = null): void {
     this.runner.drop();
-    this.failed({ kind: "refused", message });
+    this.problem.giveUp();
+    this.answer.fail({ kind: "refused", message }, again);
   }
 
   dispose(): void {
@@ -191,6 +193,6 @@ export class Solving {
 
   private failed(ending: Ending): void {
     if (ending.kind === "refused" || ending.kind === "lost") this.problem.giveUp();
-    this.answer.fail(ending);
+    this.answer.fail(ending, isMissing(ending) ? () => void this.solve() : null);
   }
 }

@@ -5,6 +5,7 @@
 import initFull, { Exercise as FullExercise, Problem as FullProblem, seedOf } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";
 import type { Elimination, Nearest } from "../core.js";
+import { NotLoaded } from "./failure.js";
 import type { CoreMessage } from "./protocol.js";
 
 /** What the worker asks of a problem. */
@@ -110,8 +111,7 @@ async function toFullCore(): Promise<void> {
     await loading;
   } catch {
     loading = null;
-    // Not one of the errors that say that a core is broken: the light one is as good as before.
-    throw new Error(NOT_LOADED);
+    throw new NotLoaded(NOT_LOADED);
   }
 }
 

@@ -85,8 +85,9 @@ export type Answer =
   | { kind: "proved"; fault: Fault | null; remarks: readonly string[] }
   | { kind: "judged"; verdict: ExerciseVerdict }
   | { kind: "sketched"; pictures: string[]; next: NextAction[]; last: TraceStep | null }
-  /** The document, the plan or the options are wrong: `message` is for the person to read. */
-  | { kind: "refused"; message: string }
+  /** The document, the plan or the options are wrong: `message` is for the person to read. `unloaded`: nothing is wrong
+   * but that the full core, which this takes, could not be loaded. */
+  | { kind: "refused"; message: string; unloaded?: true }
   /** The core panicked or could not be loaded: this worker is of no more use. */
   | { kind: "broken"; message: string; forbidden?: true };
 

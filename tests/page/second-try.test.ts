@@ -1,0 +1,154 @@
+// What could not be loaded is tried again by one click, and said in words that help; what no second try helps has no such
+// button.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import { visit } from "./support/browser.js";
+import { grid } from "./support/documents.js";
+import { startHost } from "./support/host.js";
+
+const home = await startHost();
+/** Another host, which lets no other page read its files. */
+const other = await startHost();
+other.own.set("grid.json", { body: grid() });
+
+async function lesson(page: Page, attributes: string, prose = ""): Promise<void> {
+  home.own.set("lesson/page.html", {
+    body: `<!doctype html><html lang="en"><meta charset="utf-8"><link rel="icon" href="data:,"><title>Lesson</title>
+      <script type="module" src="../mo-copp-playground.js"></script>${prose}
+      <mo-copp-playground id="one" link="off" ${attributes}></mo-copp-playground>`,
+  });
+  await page.goto(`${home.address}lesson/page.html`);
+}
+
+const alert = (page: Page) => page.locator("#one").getByRole("alert").first();
+const again = (page: Page) => alert(page).getByRole("button", { name: "Try again" });
+const ready = (page: Page, more = "") =>
+  page.waitForSelector(`#one:is([data-status=optimal], [data-status=solved])${more}`);
+const titled = (page: Page, title: string) => page.locator("#one .title", { hasText: title }).first().waitFor();
+
+const core = /mo_copp_bg-[^/]*\.wasm/;
+const noCore = "could not be loaded. Your problem is as it was. Check the connection, then try again.";
+
+test("a part of the core that did not come is asked for again, for whatever needed it", () =>
+  visit(
+    async ({ page }) => {
+      const exercise = JSON.parse(grid({ exercise: { kind: "best" } }));
+      const link = (name: string, value: string) =>
+        `<button id="${name}" data-mo-copp-for="one" data-mo-copp-set-${name}="${value}">${name}</button>`;
+      await page.route(core, (route) => route.abort());
+      // A link of the prose, clicked once more.
+      await lesson(page, 'problem="corridor"', link("problem", "blocks-unseen") + link("solver", "ip"));
+      await ready(page, '[data-step="5"]');
+      await page.locator("#problem").click();
+      await alert(page).getByText(noCore).waitFor();
+      await again(page).waitFor();
+      await page.locator("#problem").click();
+      await alert(page).getByText(noCore).waitFor();
+      await page.unroute(core);
+      await page.locator("#problem").click();
+      await titled(page, "Towers in the dark");
+      // What is said has a button.
+      const ways: [name: string, attributes: string, act: () => Promise<unknown>, done: () => Promise<unknown>][] = [
+        [
+          "a link to a problem",
+          'problem="corridor"',
+          () => page.locator("#problem").click(),
+          () => titled(page, "Towers in the dark"),
+        ],
+        [
+          "a link to a solver",
+          'problem="corridor" horizon="5"',
+          () => page.locator("#solver").click(),
+          () => page.waitForFunction(() => document.querySelector("#one")?.shadowRoot?.querySelector("select[id]")),
+        ],
+        ["the gallery", 'problem="blocks"', async () => undefined, () => titled(page, "Towers of blocks")],
+        [
+          "a document of a script",
+          'problem="corridor"',
+          () =>
+            page.evaluate((document_) => {
+              Object.assign(document.querySelector("#one") as HTMLElement, { document: document_ });
+            }, exercise),
+          () => page.locator("#one .exercise .question").waitFor(),
+        ],
+        [
+          "a solver chosen by hand",
+          'problem="corridor"',
+          async () => {
+            await page.locator("#one").getByLabel("Solver").selectOption("search");
+            await page.locator("#one").getByRole("button", { name: "Solve", exact: true }).click();
+          },
+          () => ready(page, "[data-status=solved]"),
+        ],
+      ];
+      for (const [name, attributes, act, done] of ways) {
+        await page.route(core, (route) => route.abort());
+        await lesson(page, attributes, link("problem", "blocks-unseen") + link("solver", "ip"));
+        if (attributes !== 'problem="blocks"') await ready(page);
+        await act();
+        await alert(page).getByText(noCore).waitFor();
+        await again(page).click();
+        await alert(page).getByText(noCore).waitFor();
+        await page.unroute(core);
+        await again(page).click();
+        await done();
+        await page.waitForFunction(
+          () => (document.querySelector("#one")?.shadowRoot?.querySelector("[role=alert]")?.textContent ?? "") === "",
+        );
+        assert.notEqual(await page.locator("#one").getAttribute("data-status"), "error", name);
+      }
+    },
+    { quiet: false },
+  ));
+
+test("a gallery that did not come is asked for again", () =>
+  visit(
+    async ({ page }) => {
+      await page.route("**/documents-*.js", (route) => route.abort());
+      await lesson(page, 'problem="corridor" step="2"');
+      await alert(page).getByText("The gallery could not be loaded. Check the connection, then try again.").waitFor();
+      await page.unroute("**/documents-*.js");
+      await again(page).click();
+      await ready(page, '[data-step="2"]');
+    },
+    { quiet: false },
+  ));
+
+test("a document that can't be had is said with its address and what helps, and with a button where that may help", () =>
+  visit(
+    async ({ page }) => {
+      home.own.set("lesson/page.json", { body: "<!doctype html><title>Sign in</title>" });
+      home.own.set("lesson/text.json", { body: "hello" });
+      home.own.set("lesson/wrong.json", { body: grid({ start: [9, 9] }) });
+      home.own.set("lesson/exercise.json", { body: grid({ exercise: { kind: "nothing" } }) });
+      const inside = "A document may stand in the element itself";
+      const cases: [src: string, said: (string | RegExp)[], button: boolean][] = [
+        [`${other.address}grid.json`, [/must send it with “Access-Control-Allow-Origin”/, inside], false],
+        ["http://127.0.0.1:9/grid.json", ["127.0.0.1:9 does not answer. Check the connection and the address"], true],
+        ["page.json", [`${home.address}lesson/page.json was answered with a page (HTML), and not with JSON`], false],
+        ["text.json", [/“text.json”, line 1, column 1: .+ the line reads: hello/], false],
+        ["wrong.json", ["“wrong.json”,", /start/], false],
+        ["exercise.json", ["“exercise.json”", /kind/], false],
+        ["nowhere.json", [`${home.address}lesson/nowhere.json was answered with 404`], true],
+        ["", ["The attribute src is empty"], false],
+        ["http://[", ["this is no address"], false],
+      ];
+      for (const [src, said, button] of cases) {
+        await lesson(page, `src="${src}"`);
+        for (const words of said) await alert(page).getByText(words).waitFor();
+        assert.equal(await again(page).count(), button ? 1 : 0, src);
+      }
+      // What the page itself got wrong is put right there.
+      for (const [attributes, words] of [
+        ['problem="nowhere"', "There is no problem called “nowhere”"],
+        ['problem="corridor" seed="x"', "“x” can’t be used for the attribute seed"],
+        [`src="exercise.json" seed="x"`, "“x” can’t be used for the attribute seed"],
+      ] as const) {
+        await lesson(page, attributes);
+        await alert(page).getByText(words).waitFor();
+        assert.equal(await again(page).count(), 0, attributes);
+      }
+    },
+    { quiet: false },
+  ));
