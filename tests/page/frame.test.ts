@@ -1,10 +1,15 @@
 // What a frame and the page around it say to each other.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
 import { address } from "./support/site.js";
+
+const guide = readFileSync(new URL("../../docs/frames.md", import.meta.url), "utf8");
+const listenerOfGuide =
+  /```js\n(addEventListener[\s\S]*?)```/.exec(guide)?.[1] ?? assert.fail("no listener in the guide");
 
 interface Message {
   type?: string;
@@ -72,6 +77,34 @@ test("a frame tells its height, steps, outcomes and state, and takes steps, them
     await page.frameLocator("iframe").locator('[data-board=actor] [data-cell="5,0"]').waitFor({ state: "attached" });
     await say(page, { subject: "SPLICE.getState.response", state: kept });
     await page.frameLocator("iframe").locator(".title", { hasText: "One step too far" }).waitFor();
+  }));
+
+test("a frame that is as high as it tells has nothing to scroll, whatever is hidden", () =>
+  visit(async ({ page }) => {
+    for (const hidden of [
+      "intro,footer",
+      "intro,workbench,footer",
+      "intro,workbench",
+      "",
+      "intro,footer,workbench,goals,legend,stepper",
+    ]) {
+      // The listener is the guide's.
+      await page.route(`${address}lesson/high.html`, (route) =>
+        route.fulfill({
+          contentType: "text/html",
+          body: `<!doctype html><html lang="en"><title>High</title><script>${listenerOfGuide}</script>
+            <iframe src="../index.html?problem=delivery&hide=${hidden}" title="Frame" width="900"></iframe>`,
+        }),
+      );
+      await page.goto(`${address}lesson/high.html`);
+      await page.frameLocator("iframe").locator("mo-copp-playground[data-status=optimal]").waitFor();
+      await page.waitForFunction(() => {
+        const inner = document.querySelector("iframe")?.contentWindow;
+        const root = inner?.document.documentElement;
+        return root !== undefined && root.scrollHeight === inner?.innerHeight && root.clientWidth === inner.innerWidth;
+      });
+      await page.unroute(`${address}lesson/high.html`);
+    }
   }));
 
 test("what has another shape, another version or another sender is ignored", () =>
