@@ -106,7 +106,7 @@ test("nothing that is for a hand is printed", () =>
     await prepared(page);
     for (const tab of ["Edit", "Play", "Steps"]) await openTab(page, tab);
     await onPaper(page);
-    const hands = page.locator("mo-copp-playground :is(button, input, select, textarea, a, [role=tab])");
+    const hands = page.locator("mo-copp-playground :is(button, input, select, textarea, a, summary, [role=tab])");
     const left = await hands.evaluateAll((all) =>
       all
         .filter((one) => one.checkVisibility())
@@ -200,6 +200,35 @@ test("a print has the table of all steps, by the time the browser lays it out", 
       for (const word of [String(step), action ?? "start", symbols.adversarial ?? "", symbols.cooperative ?? ""])
         assert(rows[step]?.includes(word), `${rows[step]}: ${word}`);
     assert.equal(await page.locator(".paper").count(), 0);
+  }));
+
+test("what can be opened is printed where it was opened, without its triangle", () =>
+  printed(async (page) => {
+    await page.goto(`${address}?problem=blocks-unseen`);
+    await statusIs(page, "optimal");
+    const more = page.locator(".panel.adversarial details", { hasText: "More of what may be so" });
+    const single = page.locator(".panel.adversarial details.single");
+    for (const details of [more, single]) await details.waitFor();
+    await more.locator("summary").click();
+    await prepared(page);
+    await onPaper(page);
+    assert.deepEqual(await page.locator("summary:visible").allTextContents(), ["More of what may be so"]);
+    assert.equal(await more.locator("li").first().isVisible(), true);
+    assert.equal(await single.isVisible(), false);
+    const marker = await more.locator("summary").evaluate((summary) => getComputedStyle(summary).listStyleType);
+    assert.equal(marker, "none");
+  }));
+
+test("the headings of the steps are words: a browser repeats no button on the next sheet", () =>
+  printed(async (page) => {
+    await prepared(page);
+    await openTab(page, "Steps");
+    const headings = (table: string) => page.locator(`${table} thead th`).allTextContents();
+    const onScreen = await headings(".workbench .steps");
+    await onPaper(page);
+    assert.equal(onScreen.length, 11);
+    assert.deepEqual(await headings(".paper"), onScreen);
+    assert.equal(await page.locator(".paper thead :is(button, a, svg)").count(), 0);
   }));
 
 test("the enemy’s player prints what the enemy knows, and a part that is left out is not printed", () =>

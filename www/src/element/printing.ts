@@ -62,6 +62,6 @@ export class Printing {
     if (this.table.value !== null) return;
     // Without it the rest is printed all the same.
     const loaded = await import("../steps/steps-table.js").catch(() => null);
-    if (loaded !== null) this.table.value = loaded.stepsTable;
+    if (loaded !== null) this.table.value = loaded.stepsOnPaper;
   }
 }

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Gallery } from "../gallery/gallery.js";
 import { glossaryLink } from "../help/glossary-link.js";
+import type { Term } from "../help/terms.js";
 import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import { download } from "../view/download.js";
@@ -18,7 +19,17 @@ export interface StepsTableStores {
   gallery: Gallery;
 }
 
-export function stepsTable(playground: StepsTableStores): TemplateResult | "" {
+export const stepsTable = (playground: StepsTableStores): TemplateResult | "" => table(playground, glossaryLink);
+
+/** A browser repeats the words of a heading on each sheet, but no button in it. */
+export const stepsOnPaper = (playground: StepsTableStores): TemplateResult | "" =>
+  table(playground, (_, words) => words);
+
+/** `heading`: how a word of the glossary stands in the headings. */
+function table(
+  playground: StepsTableStores,
+  heading: (term: Term, words: string) => TemplateResult | string,
+): TemplateResult | "" {
   const { timeline } = playground;
   const trace = timeline.trace.value;
   if (trace === null) return "";
@@ -35,12 +46,12 @@ export function stepsTable(playground: StepsTableStores): TemplateResult | "" {
             <th scope="col" rowspan="2">Step</th>
             ${guessing ? nothing : html`<th scope="col" rowspan="2">Action</th>`}
             ${seen.map((role) => html`<th scope="colgroup" colspan="3" class=${role}>The ${called[role]}</th>`)}
-            ${guessing ? nothing : html`<th scope="col" rowspan="2">${glossaryLink("goal-difference", "GD")}</th>`}
+            ${guessing ? nothing : html`<th scope="col" rowspan="2">${heading("goal-difference", "GD")}</th>`}
           </tr>
           <tr>
             ${seen.map(
-              (role) => html`<th scope="col" class=${role}>${glossaryLink("symbol", "was told")}</th>
-                <th scope="col">${glossaryLink("belief", "believes")}</th><th scope="col">${glossaryLink("possible", "possible")}</th>`,
+              (role) => html`<th scope="col" class=${role}>${heading("symbol", "was told")}</th>
+                <th scope="col">${heading("belief", "believes")}</th><th scope="col">${heading("possible", "possible")}</th>`,
             )}
           </tr>
         </thead>
