@@ -177,7 +177,7 @@ test("a worker that never came up is not replaced over and over", async () => {
   const client = new SolverClient();
   const ending = client.run(solve);
   ScriptedWorker.last.onerror?.({ message: "", preventDefault: () => undefined });
-  assert.deepEqual(await ending, { kind: "lost", message: "the solver could not be started", unstarted: true });
+  assert.deepEqual(await ending, { kind: "lost", message: "its script did not come", unstarted: true });
   assert.equal(ScriptedWorker.all.length, 1);
   void client.run(solve);
   assert.equal(ScriptedWorker.all.length, 2);

@@ -136,7 +136,7 @@ test("a worker that is forbidden, wasm that is forbidden, an address that answer
       await alert.getByText("must allow 'wasm-unsafe-eval' in script-src").waitFor();
       // A worker that the page places, and that is not there, has a name.
       await host(page, own + one.replace("link=", `worker-url="no-worker.js" link=`), sameHost);
-      await alert.getByText("nothing came from worker-url, “no-worker.js”").waitFor();
+      await alert.getByText("no script came from worker-url, “no-worker.js”").waitFor();
       // A document that may not be fetched may stand in the page.
       const elsewhere = `<mo-copp-playground id="one" src="${other.address}grid.json" link="off"></mo-copp-playground>`;
       await host(page, own + elsewhere, sameHost);

@@ -5,8 +5,9 @@ import type { Ending } from "../worker/client.js";
 export const isMissing = (ending: Ending): boolean =>
   ending.kind === "lost" || (ending.kind === "refused" && ending.unloaded === true);
 
-export function lost({ message, forbidden, unstarted }: Extract<Ending, { kind: "lost" }>): string {
+export function lost({ message, forbidden, unstarted, advised }: Extract<Ending, { kind: "lost" }>): string {
   if (forbidden) return `The solver cannot run here: ${message}.`;
+  if (unstarted && advised) return `The solver could not be started: ${message}.`;
   if (unstarted)
     return `The solver could not be started (${message}). It needs a connection to load, and a browser that allows WebAssembly.`;
   return `The solver stopped unexpectedly (${message}). Your problem is as it was, and another solver is ready.`;

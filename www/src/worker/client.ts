@@ -2,6 +2,7 @@
 // obey a cancel.
 import type { Progress, Scene, Trace } from "../core.js";
 import { keptOutcome } from "./kept-outcome.js";
+import { NotLoaded } from "./not-loaded.js";
 import { chosenPlaces } from "./places.js";
 import { whyForbidden } from "./policy.js";
 import type { Answer, Message, Reply, Task, Update } from "./protocol.js";
@@ -20,8 +21,13 @@ export type Ending =
   | (Extract<Answer, { kind: "solved" }> & { replaced?: true })
   | { kind: "stale" }
   /** `forbidden`: by the page's content policy; the message says what the policy must allow. `unstarted`: the worker
-   * never came to load the core. */
-  | { kind: "lost"; message: string; forbidden?: true; unstarted?: true };
+   * never came to load the core. `advised`: the message says what helps. */
+  | ({ kind: "lost"; message: string; unstarted?: true } & Why);
+
+interface Why {
+  forbidden?: true;
+  advised?: true;
+}
 
 interface Current {
   id: number;
@@ -100,10 +106,7 @@ export class SolverClient {
     worker.onmessageerror = () => this.lose("a message of the solver could not be read");
     worker.onerror = (event) => {
       event.preventDefault();
-      const forbidden = event.message ? null : whyForbidden();
-      const { worker: placed } = chosenPlaces();
-      const why = placed === null ? "the solver could not be started" : `nothing came from worker-url, “${placed}”`;
-      this.lose(event.message || (forbidden ?? why), forbidden !== null);
+      this.loseByError(event);
     };
     return worker;
   }
@@ -120,7 +123,7 @@ export class SolverClient {
     } else if (reply.kind === "ready") {
       this.ready = true;
     } else if (reply.kind === "broken") {
-      this.lose(reply.message, reply.forbidden === true);
+      this.loseCore(reply);
     } else if (reply.id !== this.current?.id) {
       return;
     } else if (reply.kind === "started") {
@@ -155,15 +158,33 @@ export class SolverClient {
     current?.end(ending);
   }
 
+  private loseByError({ message, error }: ErrorEvent): void {
+    const { worker: placed } = chosenPlaces();
+    const forbidden = message ? null : whyForbidden();
+    if (forbidden !== null) this.lose(forbidden, { forbidden: true });
+    else if (error instanceof NotLoaded) this.lose(message, { advised: true });
+    else if (placed === null || this.ready) this.lose(message || "its script did not come");
+    else if (message) this.lose(`what worker-url names, “${placed}”, is not its script: ${message}`, { advised: true });
+    else this.lose(`no script came from worker-url, “${placed}”`, { advised: true });
+  }
+
+  private loseCore({ message, forbidden, advised }: Extract<Reply, { kind: "broken" }>): void {
+    const { wasm: placed } = chosenPlaces();
+    if (forbidden) this.lose(message, { forbidden });
+    else if (advised) this.lose(message, { advised });
+    else if (placed === null || this.ready) this.lose(message);
+    else this.lose(`what wasm-url names, “${placed}”, is not the core of this version: ${message}`, { advised: true });
+  }
+
   /** The worker is of no more use. Another takes its place, at once if this one had worked. */
-  private lose(message: string, forbidden = false): void {
+  private lose(message: string, why: Why = {}): void {
     const worked = this.ready;
     this.stopWorker();
     if (worked) this.worker = this.startWorker();
     this.finish({
       kind: "lost",
       message,
-      ...(forbidden ? { forbidden } : {}),
+      ...why,
       ...(worked ? {} : { unstarted: true }),
     });
   }

@@ -5,7 +5,7 @@
 import initFull, { Exercise as FullExercise, Problem as FullProblem, seedOf } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";
 import type { Elimination, Nearest } from "../core.js";
-import { NotLoaded } from "./failure.js";
+import { faultOf, NotLoaded } from "./not-loaded.js";
 import type { CoreMessage } from "./protocol.js";
 
 /** What the worker asks of a problem. */
@@ -31,8 +31,8 @@ const light = { Problem: LightProblem, exercises: null } as unknown as Core;
 const full = { Problem: FullProblem, exercises: { Exercise: FullExercise, seedOf } } as unknown as Core;
 
 const NOT_LOADED =
-  "The part of the program for PDDL, exercises and other solvers could not be loaded. Your problem is as it was. " +
-  "Check the connection, then try again.";
+  "The part of the program for PDDL, exercises and other solvers could not be loaded. Your problem is as it was.";
+const CHECK = "Check the connection, then try again.";
 
 let current = light;
 let loading: Promise<void> | null = null;
@@ -63,7 +63,7 @@ export function takeCore(message: CoreMessage): void {
     resolve(message.core);
     return;
   }
-  reject(new Error(message.error));
+  reject(new NotLoaded(message.error));
   sent[message.kind] = waits();
 }
 
@@ -109,9 +109,9 @@ async function toFullCore(): Promise<void> {
   loading ??= askForFull();
   try {
     await loading;
-  } catch {
+  } catch (error) {
     loading = null;
-    throw new NotLoaded(NOT_LOADED);
+    throw new NotLoaded(`${NOT_LOADED} ${error instanceof NotLoaded ? `${error.message}.` : CHECK}`);
   }
 }
 
@@ -121,16 +121,25 @@ function askForFull(): Promise<void> {
 }
 
 async function startLight(core: CoreFile): Promise<void> {
-  await initLight({ module_or_path: core });
+  await initLight({ module_or_path: await comes(core) });
 }
 
 async function startFull(core: CoreFile): Promise<void> {
-  await initFull({ module_or_path: core });
+  await initFull({ module_or_path: await comes(core) });
   current = full;
 }
 
 /** The address of a core, or its bytes. */
 type CoreFile = string | BufferSource;
+
+/** A host may answer with something else, and that is no broken core. */
+async function comes(core: CoreFile): Promise<Response | BufferSource> {
+  if (typeof core !== "string") return core;
+  const response = await fetch(core);
+  const fault = faultOf(response);
+  if (fault !== null) throw new NotLoaded(fault);
+  return response;
+}
 
 interface Waits {
   promise: Promise<CoreFile>;

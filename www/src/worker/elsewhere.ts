@@ -6,19 +6,32 @@ import fullAddress from "../../pkg/mo_copp_bg.wasm?url";
 import lightAddress from "../../pkg-light/mo_copp_light_bg.wasm?url";
 import type { SolverWorker } from "./later.js";
 import { NAME } from "./names.js";
+import { faultOf, NotLoaded } from "./not-loaded.js";
 import { chosenPlaces } from "./places.js";
 import type { CoreMessage, Reply } from "./protocol.js";
 import workerAddress from "./solver.worker.ts?worker&url";
+import { whyUnreachable } from "./unreachable.js";
+
+type Attribute = "worker-url" | "wasm-url";
 
 const texts = new Map<string, Promise<string>>();
 const cores = new Map<string, Promise<ArrayBuffer>>();
 
 export async function startElsewhere(): Promise<SolverWorker> {
   const { worker, wasm } = chosenPlaces();
-  const address = new URL(worker ?? workerAddress, document.baseURI);
+  const address = addressOf(worker, "worker-url") ?? new URL(workerAddress, document.baseURI);
+  const core = addressOf(wasm, "wasm-url");
   const started =
-    address.origin === globalThis.origin ? fromFile(address) : fromText(await once(texts, address.href, text));
-  return supply(started, wasm === null ? { light: lightAddress, full: fullAddress } : { light: null, full: wasm });
+    address.origin === globalThis.origin ? fromFile(address) : fromText(await once(texts, address, "worker-url", text));
+  if (core !== null) return supply(started, { light: null, full: core });
+  const [light, full] = [lightAddress, fullAddress].map((file) => new URL(file, document.baseURI)) as [URL, URL];
+  return supply(started, { light, full });
+}
+
+function addressOf(given: string | null, attribute: Attribute): URL | null {
+  if (given === null) return null;
+  if (given.trim() !== "" && URL.canParse(given, document.baseURI)) return new URL(given, document.baseURI);
+  throw new NotLoaded(`“${given}” can’t be used for the attribute ${attribute}; expected an address`);
 }
 
 const fromFile = (address: URL): Worker => new Worker(address, { name: NAME });
@@ -39,9 +52,9 @@ const inBase64 = (text: string): string =>
   btoa(Array.from(new TextEncoder().encode(text), (byte) => String.fromCharCode(byte)).join(""));
 
 /** Sends the worker the cores: the light one at once, the full one when it asks, or that one alone. */
-function supply(worker: Worker, { light, full }: { light: string | null; full: string }): Worker {
-  const send = (kind: CoreMessage["kind"], address: string) =>
-    once(cores, new URL(address, document.baseURI).href, bytes).then(
+function supply(worker: Worker, { light, full }: { light: URL | null; full: URL }): Worker {
+  const send = (kind: CoreMessage["kind"], address: URL) =>
+    once(cores, address, "wasm-url", bytes).then(
       (core) => worker.postMessage({ kind, core } satisfies CoreMessage),
       (error: Error) => worker.postMessage({ kind, core: null, error: error.message } satisfies CoreMessage),
     );
@@ -56,29 +69,45 @@ function supply(worker: Worker, { light, full }: { light: string | null; full: s
 /** One fetch for all workers; one that failed is tried again by the next. */
 function once<T>(
   known: Map<string, Promise<T>>,
-  address: string,
+  address: URL,
+  attribute: Attribute,
   read: (response: Response) => Promise<T>,
 ): Promise<T> {
-  let found = known.get(address);
+  const { href } = address;
+  let found = known.get(href);
   if (found === undefined) {
-    found = fetched(address).then(read);
-    found.catch(() => known.delete(address));
-    known.set(address, found);
+    found = fetched(address, attribute).then(read);
+    found.catch(() => known.delete(href));
+    known.set(href, found);
   }
   return found;
 }
 
 const text = (response: Response) => response.text();
-const bytes = (response: Response) => response.arrayBuffer();
 
-async function fetched(address: string): Promise<Response> {
+async function bytes(response: Response): Promise<ArrayBuffer> {
+  const core = await response.arrayBuffer();
+  const { wasm } = chosenPlaces();
+  const begins = String.fromCharCode(...new Uint8Array(core, 0, Math.min(4, core.byteLength)));
+  if (begins === "\0asm") return core;
+  throw new NotLoaded(`${response.url} is no WebAssembly${named(wasm, "wasm-url")}`);
+}
+
+/** Who placed a file that is not right: the page may have, by an attribute. */
+const named = (placed: string | null, attribute: Attribute): string =>
+  placed === null ? "" : `; ${attribute} names it`;
+
+async function fetched(address: URL, attribute: Attribute): Promise<Response> {
+  const placed = chosenPlaces()[attribute === "wasm-url" ? "wasm" : "worker"];
+  let response: Response;
   try {
-    const response = await fetch(address);
-    if (response.ok) return response;
+    response = await fetch(address);
   } catch {
-    // Said below.
+    const { why } = await whyUnreachable(address);
+    const from = placed === null ? "" : `, which ${attribute} names,`;
+    throw new NotLoaded(`${address.href}${from} could not be loaded: ${why.replace(/\.$/, "")}`);
   }
-  throw new Error(
-    `${address} could not be loaded; its host must send it with “Access-Control-Allow-Origin”, and the page’s policy allow it in connect-src`,
-  );
+  const fault = faultOf(response);
+  if (fault !== null) throw new NotLoaded(`${fault}${named(placed, attribute)}`);
+  return response;
 }

@@ -44,6 +44,6 @@ export class Later implements SolverWorker {
   private fail(error: unknown): void {
     if (this.ended) return;
     const message = error instanceof Error ? error.message : String(error);
-    this.onerror?.call(null as unknown as Worker, new ErrorEvent("error", { message, cancelable: true }));
+    this.onerror?.call(null as unknown as Worker, new ErrorEvent("error", { message, error, cancelable: true }));
   }
 }

@@ -88,8 +88,8 @@ export type Answer =
   /** The document, the plan or the options are wrong: `message` is for the person to read. `unloaded`: nothing is wrong
    * but that the full core, which this takes, could not be loaded. */
   | { kind: "refused"; message: string; unloaded?: true }
-  /** The core panicked or could not be loaded: this worker is of no more use. */
-  | { kind: "broken"; message: string; forbidden?: true };
+  /** The core panicked or could not be loaded: this worker is of no more use. `advised`: the message says what helps. */
+  | { kind: "broken"; message: string; forbidden?: true; advised?: true };
 
 /** Worker to page. */
 export type Reply =

@@ -2,7 +2,7 @@
 import type { Eliminations, SolveOptions } from "../core.js";
 import { type Core, loadFirst, lookAhead, onCore, type Problem, takeCore } from "./cores.js";
 import { asked, judged, proved, sketched } from "./exercises.js";
-import { failure, faultIn } from "./failure.js";
+import { failure, faultIn, unstarted } from "./failure.js";
 import type { Answer, CoreMessage, Fault, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
 import { nextTurn } from "./turn.js";
@@ -37,6 +37,11 @@ self.onmessage = ({ data }: MessageEvent<Message | CoreMessage>) => {
 async function handle(task: Task, id: number): Promise<void> {
   try {
     await loaded;
+  } catch (error) {
+    post({ ...unstarted(error), id });
+    return;
+  }
+  try {
     // Requests that came in the meantime are taken first, so that of many only the last is worked on.
     await nextTurn();
     if (id !== newest) return;
