@@ -33,6 +33,9 @@ const wrappers: Readonly<Record<string, string>> = {
   "Bootstrap: col-auto": `<div class="container"><div class="row"><div class="col-auto"><slot></slot></div></div></div>`,
   "Bootstrap: d-inline-block": `<div class="container"><div class="d-inline-block"><slot></slot></div></div>`,
   "GitHub: a table": `<article class="markdown-body"><table><tr><td><slot></slot></td></tr></table></article>`,
+  "a host that is an inline-flex row": `<slot style="display: inline-flex"></slot>`,
+  "a host that is an inline grid": `<slot style="display: inline-grid"></slot>`,
+  "a host that is a table": `<slot style="display: table"></slot>`,
   "an exact box": `<div style="width: 300px"><slot></slot></div>`,
   "a plain block": `<div><slot></slot></div>`,
 };
@@ -59,6 +62,17 @@ interface Measured {
   room: number;
   overflow: number;
 }
+
+/** What a page's own rule, meant for other elements, makes of the host: it fills its place all the same. */
+const hosts = [
+  ...["block", "flow-root", "flex", "grid", "inline", "contents"].map((display) => `display: ${display}`),
+  "display: flex; justify-content: center; align-items: center; gap: 2rem",
+  "display: flex; flex-direction: column; align-items: center",
+  "display: flex; flex-wrap: wrap",
+  "display: grid; place-items: center",
+  "display: grid; grid-template-columns: repeat(3, 1fr); gap: 1rem",
+  "display: inline-flex; width: 100%",
+];
 
 /** Builds the box around a long text and then, in its place, around the one element of the page, which stays where it is. */
 const measure = (page: Page, style: string, markup: string) =>
@@ -111,6 +125,34 @@ test("it fills what is there up to its natural width, wherever its box shrinks t
       assert.equal(little.width, 100);
     }
     assert.deepEqual(wrong, []);
+  }));
+
+test("whatever display a page gives the element, its boards are as wide as it is", () =>
+  visit(async ({ page }) => {
+    const one = `<mo-copp-playground problem="corridor" hide="workbench goals" link="off"></mo-copp-playground>`;
+    await page.route(`${address}lesson/display.html`, (route) =>
+      route.fulfill({
+        contentType: "text/html",
+        body: `<!doctype html><html lang="en"><head><title>Lesson</title>
+          <script type="module" src="../mo-copp-playground.js"></script></head><body>${one}</body></html>`,
+      }),
+    );
+    await page.goto(`${address}lesson/display.html`);
+    await page.waitForSelector("mo-copp-playground[data-status=optimal]");
+    for (const style of hosts) {
+      const [part = 0, boards = 0, room = 0, overflow = 0] = await page
+        .locator("mo-copp-playground")
+        .evaluate((host, style) => {
+          host.setAttribute("style", style);
+          const sizes = [".mo-copp-part", "[data-board=actor]"].map(
+            (selector) => host.shadowRoot?.querySelector(selector)?.getBoundingClientRect().width,
+          );
+          return [...sizes, document.body.clientWidth, document.documentElement.scrollWidth - innerWidth];
+        }, style);
+      assert(Math.abs(part - room) <= 1, `${style}: ${part} of ${room}`);
+      assert(boards > 300, `${style}: boards of ${boards}`);
+      assert(overflow <= 0, `${style}: ${overflow} too wide`);
+    }
   }));
 
 test("a playground that waits for its turn has the width that it will have", () =>

@@ -12,10 +12,12 @@ import type { View } from "./view.js";
  *
  * What is drawn goes by the width that it has, and so has none of its own. Where the box around it is as wide as what
  * is in it, an unseen line of text gives it one: it is as long as a playground is wide, and breaks where there is less.
+ * A page may make the host a row, a grid or a table: all of it is one box, which is as wide as the host.
  */
 const frame = `
 :host { display: block; }
 :host([hidden]) { display: none !important; }
+.whole { display: block; flex: 1 1 auto; grid-column: 1 / -1; place-self: start stretch; width: 100%; min-width: 0; }
 .width { all: initial; display: block; height: 0; overflow: hidden; visibility: hidden; font-size: inherit;
   word-spacing: max(10rem, min(60 * var(--mo-copp-font-size, max(1rem, 13px)), 100cqi - 2rem)); }
 .width::before { content: "- -"; display: block; min-width: 10rem; font: 1px/0 sans-serif; }
@@ -148,7 +150,10 @@ export class MoCoppPlayground extends PlaygroundElement {
     slotted.addEventListener("slotchange", look);
     const width = document.createElement("div");
     width.className = "width";
-    shadow.append(width, this.#slotted, root);
+    const whole = document.createElement("div");
+    whole.className = "whole";
+    whole.append(width, this.#slotted, root);
+    shadow.append(whole);
     this.#root = root;
     look();
     this.#theme = new Theme(this, root, true);
