@@ -28,9 +28,14 @@ const scheme = (page: Page) => page.locator("#one").getAttribute("data-scheme");
 test("the theme is the page's: by its color-scheme, its tool's switch, or the attribute", () =>
   visit(
     async ({ page }) => {
+      await page.route("**/dark.css", (route) =>
+        route.fulfill({ contentType: "text/css", body: ":root { color-scheme: dark }" }),
+      );
       await lesson(
         page,
-        `<style>:root:has(#dark:checked) { color-scheme: dark }</style><input type="checkbox" id="dark">${one}`,
+        `<style>:root:has(#dark:checked, #button[aria-pressed=true]), [data-color-mode=dark] { color-scheme: dark }</style>
+          <input type="checkbox" id="dark">
+          <button id="button" aria-pressed="false" onclick="this.ariaPressed = this.ariaPressed !== 'true'">Dark</button>${one}`,
       );
       await ready(page);
       // A page that says nothing is light, whatever the system.
@@ -53,6 +58,21 @@ test("the theme is the page's: by its color-scheme, its tool's switch, or the at
           `document.querySelector("#dark").click()`,
         ],
         [`${root}.style.colorScheme = "dark"`, `${root}.style.colorScheme = ""`],
+        // Any attribute may be one that styles ask for, and a sheet may stand anywhere or come late.
+        [`${root}.dataset.colorMode = "dark"`, `${root}.dataset.colorMode = "light"`],
+        [
+          `${body}.append(Object.assign(document.createElement("style"), { id: "late", textContent: ":root { color-scheme: dark }" }))`,
+          `document.querySelector("#late").remove()`,
+        ],
+        [
+          `document.head.append(Object.assign(document.createElement("link"), { id: "sheet", rel: "stylesheet", href: "dark.css" }))`,
+          `document.querySelector("#sheet").remove()`,
+        ],
+        [
+          `document.head.append(Object.assign(document.createElement("meta"), { id: "meta", name: "color-scheme", content: "dark" }))`,
+          `document.querySelector("#meta").content = "light"`,
+        ],
+        [`document.querySelector("#button").click()`, `document.querySelector("#button").click()`],
         [`${root}.style.colorScheme = "light dark"`, `${root}.style.colorScheme = "light"`],
         [`${root}.dataset.bsTheme = "dark"`, `delete ${root}.dataset.bsTheme`],
         [`${root}.dataset.theme = "dark"`, `${root}.dataset.theme = "light"`],

@@ -22,12 +22,16 @@ const switches: readonly [attribute: string, light: RegExp, dark: RegExp][] = [
   ],
 ];
 
-/** A switch may be a field that styles ask for by `:has(:checked)`, and a ground may fade. */
-const events = ["change", "transitionend"] as const;
+/** A switch may be a field or a button that styles ask for by `:has(…)`, a ground may fade, and a style sheet come later. */
+const events = ["change", "click", "load", "transitionend"] as const;
 
 export class Theme {
   private readonly system = globalThis.matchMedia?.("(prefers-color-scheme: dark)");
-  private readonly observer = new MutationObserver(() => this.update());
+  private readonly around = new MutationObserver(() => this.soon());
+  private readonly sheets = new MutationObserver((records) => {
+    if (records.some(({ addedNodes, removedNodes }) => [...addedNodes, ...removedNodes].some(isStyling))) this.soon();
+  });
+  private frame = 0;
 
   constructor(
     private readonly host: HTMLElement,
@@ -39,20 +43,21 @@ export class Theme {
   connect(): void {
     this.update();
     this.system?.addEventListener("change", this.changed);
-    // A switch may also load or leave out a style sheet.
-    const attributes = {
-      attributes: true,
-      attributeFilter: [...switches.map(([name]) => name), "style", "media", "disabled", "rel"],
-    };
-    for (const name of events) document.addEventListener(name, this.changed);
-    for (const around of ancestors(this.host)) this.observer.observe(around, attributes);
-    this.observer.observe(document.head, { ...attributes, childList: true, subtree: true });
+    // A load does not bubble.
+    for (const name of events) document.addEventListener(name, this.changed, true);
+    // A page's styles may go by any attribute.
+    for (const around of ancestors(this.host)) this.around.observe(around, { attributes: true });
+    this.around.observe(document.head, { attributes: true, childList: true, subtree: true, characterData: true });
+    this.sheets.observe(document.body, { childList: true, subtree: true });
   }
 
   disconnect(): void {
     this.system?.removeEventListener("change", this.changed);
-    for (const name of events) document.removeEventListener(name, this.changed);
-    this.observer.disconnect();
+    for (const name of events) document.removeEventListener(name, this.changed, true);
+    this.around.disconnect();
+    this.sheets.disconnect();
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
   }
 
   update(): void {
@@ -66,7 +71,18 @@ export class Theme {
     for (const element of [this.root, this.host]) setScheme(element, scheme);
   }
 
-  private readonly changed = () => this.update();
+  private readonly changed = ({ type, target }: Event) => {
+    if (type !== "load" || (target instanceof Node && isStyling(target))) this.soon();
+  };
+
+  /** Before the page is painted the next time: what changes often is looked at once. */
+  private soon(): void {
+    if (this.frame !== 0) return;
+    this.frame = requestAnimationFrame(() => {
+      this.frame = 0;
+      this.update();
+    });
+  }
 
   private ofPage(): Scheme {
     for (const around of ancestors(this.host)) {
@@ -85,6 +101,10 @@ export class Theme {
     return words === "" ? groundOf(around) : fromColorScheme(words, this.system?.matches === true);
   }
 }
+
+/** Whether a node is a style sheet, or brings one. */
+const isStyling = (node: Node): boolean =>
+  node instanceof Element && (node.matches("style, link") || node.querySelector("style, link") !== null);
 
 /** The colours that a playground has now. */
 export function schemeOf({ dataset }: HTMLElement): Scheme {
