@@ -22,7 +22,8 @@ function ofPackage({ schemaVersion, modules }) {
   const seen = (members = []) => members.filter(({ privacy, static: fixed }) => privacy === undefined && !fixed);
   const path = "element/index.js";
   const { superclass, ...element } = declaration;
-  const members = seen(declaration.members).filter(({ name }) => !/Callback$/.test(name));
+  // A computed name, in brackets, is the project's own.
+  const members = seen(declaration.members).filter(({ name }) => !/^\[|Callback$/.test(name));
   return {
     schemaVersion,
     readme: "README.md",
