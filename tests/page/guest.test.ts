@@ -113,8 +113,14 @@ test("keys that the playground handles never reach the page, and the others do",
   visit(async ({ page }) => {
     await page.addInitScript(`
       window.heard = [];
-      for (const type of ["keydown", "keyup", "keypress"])
-        document.addEventListener(type, (event) => window.heard.push(event.type + " " + event.key));`);
+      window.early = [];
+      for (const type of ["keydown", "keyup", "keypress"]) {
+        document.addEventListener(type, (event) => window.heard.push(event.type + " " + event.key));
+        // As the guide has it.
+        document.addEventListener(type, (event) => {
+          if (!event.target.closest("mo-copp-playground")) window.early.push(event.type + " " + event.key);
+        }, true);
+      }`);
     const heard = () => page.evaluate("window.heard.splice(0)") as Promise<string[]>;
     await lesson(page, `<button id="own">Own</button>${one}`);
     await ready(page, '[data-step="5"]');
@@ -145,6 +151,8 @@ test("keys that the playground handles never reach the page, and the others do",
     await page.locator("#own").focus();
     await page.keyboard.press("End");
     assert.deepEqual(await heard(), ["keydown End", "keyup End"]);
+    const early = (await page.evaluate("window.early")) as string[];
+    assert.deepEqual(early, ["keydown ArrowLeft", "keyup ArrowLeft", "keydown End", "keyup End"]);
   }));
 
 test("keys in its dialogs and on its boards are the playground's alone, pressed and released", () =>

@@ -1,7 +1,7 @@
 // Keys that work wherever in the playground the focus is, as long as nothing there has keys of its own: ← → Home End
 // Space walk through the steps, ? opens the help, and undo and redo edit. By `keys` they work where nothing on the page
 // has the focus, too ("page"), in the playground alone ("focus"), or not at all ("off"). A key that was handled here
-// never reaches the page.
+// never reaches the page, but for what listens in the capture phase: only the part that has the focus knows its keys.
 import { shortcut } from "../gesture/shortcuts.js";
 import { openHelp } from "../help/help.js";
 import type { Playground } from "../playground/playground.js";
