@@ -179,13 +179,15 @@ test("MkDocs with Material: instant navigation and the switch to dark", () =>
 
 test("Sphinx with the theme of Read the Docs: HTML gets the element, text its words", () =>
   visit(
-    async ({ page }) => {
+    async ({ page, requests }) => {
       const folder = copyOf("sphinx");
       addPage(join(folder, "_static", "mo-copp"));
       for (const builder of ["html", "text"])
         python(["-m", "sphinx", "-q", "-b", builder, ".", `_build/${builder}`], folder);
       await page.goto(`${await served(join(folder, "_build", "html"))}index.html`);
       await ready(page, '[data-gd="1"]');
+      const scripts = requests.filter((request) => request.includes("_static/mo-copp/mo-copp-playground.js"));
+      assert.equal(scripts.length, 1, scripts.join(" "));
       assert.match(readFileSync(join(folder, "_build", "text", "index.txt"), "utf8"), /one step past the door/);
     },
     { ...kit, quiet: false },
