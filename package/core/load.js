@@ -24,7 +24,9 @@ export function loadFrom(wasm) {
 
 /** Solves a loaded problem document, given as an object or as its text. */
 export function solveLoaded(document, options) {
-  const problem = new Problem(typeof document === "string" ? document : JSON.stringify(document));
+  const text = typeof document === "string" ? document : JSON.stringify(document);
+  if (text === undefined) throw new TypeError(`“${document}” is no problem document; expected an object or its text.`);
+  const problem = new Problem(text);
   try {
     const run = problem.solve(options);
     while (!run.advance(BUDGET));

@@ -55,13 +55,15 @@ test("the solver solves in Node, and names what is wrong", () => {
     import { load, Problem, solve } from "mo-copp/core";
     await load();
     const outcome = await solve(${grid()});
+    const nothing = await solve(undefined).catch(({ message }) => message);
     const refused = await solve({ format: "chess" }).catch((error) => error.message);
     const steps = new Problem(${JSON.stringify(grid())}).trace(outcome.plan).steps.length;
-    console.log(JSON.stringify({ status: outcome.status, steps, moves: outcome.plan.length, refused }));`);
-  const { status, steps, moves, refused } = JSON.parse(told);
+    console.log(JSON.stringify({ status: outcome.status, steps, moves: outcome.plan.length, refused, nothing }));`);
+  const { status, steps, moves, refused, nothing } = JSON.parse(told);
   assert.equal(status, "optimal");
   assert.equal(steps, moves + 1);
   assert.match(refused, /found "chess", expected gridworld/);
+  assert.equal(nothing, "“undefined” is no problem document; expected an object or its text.");
 });
 
 test("its types fit, and are those that the element has", () => {

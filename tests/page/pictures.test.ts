@@ -32,8 +32,8 @@ function assertSame(text: string, wanted: string): void {
   assert(text === wanted, `at ${at}: ${around(text)}\nin place of ${around(wanted)}`);
 }
 
-const refused = async (page: Page, options?: Record<string, unknown>): Promise<string> => {
-  const told = toSVG(page, options).then(
+const refused = async (page: Page, options?: unknown): Promise<string> => {
+  const told = toSVG(page, options as SvgOptions).then(
     () => "a picture",
     (error: Error) => error.message,
   );
@@ -117,8 +117,10 @@ test("an option that does not fit is refused with a sentence", () =>
     await statusIs(page, "optimal");
     assert.equal(await refused(page, { step: 99 }), "step: found 99, expected a whole number from 0 to 16");
     assert.match(await refused(page, { theme: "pink" }), /^theme: found "pink", expected light or dark/);
-    assert.match(await refused(page, { size: 3 }), /unknown key "size"/);
-    assert.match(await refused(page, { walk: "yes" }), /^animate: /);
+    assert.match(await refused(page, { size: 3 }), /^“size” is no option of a picture; expected step, walk, .*theme/);
+    assert.match(await refused(page, { animate: true }), /^“animate” is no option of a picture; expected step, walk/);
+    assert.equal(await refused(page, { walk: "yes" }), "“yes” can’t be used for walk; expected true or false.");
+    assert.match(await refused(page, ["walk"]), /^“walk” can’t be used as options; expected an object/);
     // The playground itself is as it was.
     assert.equal(await page.getByRole("alert").textContent(), "");
     assertSame(await toSVG(page), picture(eightByEight, best, { step: 0 }));

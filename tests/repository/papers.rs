@@ -1,6 +1,9 @@
 //! README, CHANGELOG and licences.
 
-use crate::read;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use crate::{read, root};
 
 #[test]
 fn the_readme_begins_with_the_two_commands() {
@@ -19,6 +22,32 @@ fn every_option_of_the_command_is_in_the_readme_or_its_help() {
     for solver in mo_copp::solver::Solver::ALL {
         assert!(readme.contains(solver.name()), "no word of {}", solver.name());
     }
+}
+
+#[test]
+fn pictures_that_documents_of_the_crate_show_are_in_it() {
+    let cargo = std::process::Command::new(env!("CARGO"))
+        .args(["package", "--list", "--allow-dirty", "--offline"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert!(cargo.status.success(), "{}", String::from_utf8_lossy(&cargo.stderr));
+    let list = String::from_utf8(cargo.stdout).unwrap();
+    let files: BTreeSet<&Path> = list.lines().map(Path::new).collect();
+    let mut seen = 0;
+    for document in
+        files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "md"))
+    {
+        let text = read(document);
+        for picture in
+            text.split("![").skip(1).filter_map(|text| text.split_once("](")?.1.split(')').next())
+        {
+            let path = document.parent().unwrap().join(picture);
+            assert!(files.contains(path.as_path()), "{} shows {picture}", document.display());
+            seen += 1;
+        }
+    }
+    assert!(seen > 1, "{seen} pictures");
 }
 
 #[test]

@@ -8,7 +8,20 @@ export interface SvgOptions extends Omit<PictureOptions, "animate"> {
   walk?: boolean;
 }
 
+const known: Record<keyof SvgOptions, true> = {
+  ...{ step: true, walk: true, milliseconds: true, board: true, captions: true },
+  ...{ theme: true, true_goal: true, ended: true },
+};
+
 /** A page's script may hand over anything: what is no plain data stays behind, and the core says what does not fit. */
-export function pictureOptions({ walk, ...options }: SvgOptions, theme: Scheme): PictureOptions {
-  return JSON.parse(JSON.stringify({ theme, ...options, animate: walk }));
+export function pictureOptions(options: SvgOptions, theme: Scheme): PictureOptions {
+  if (typeof options !== "object" || options === null || Array.isArray(options))
+    throw new Error(`“${options}” can’t be used as options; expected an object, as { walk: true }.`);
+  const { walk, ...others } = options;
+  const unknown = Object.entries(others).find(([name, value]) => value !== undefined && !Object.hasOwn(known, name));
+  if (unknown !== undefined)
+    throw new Error(`“${unknown[0]}” is no option of a picture; expected ${Object.keys(known).join(", ")}.`);
+  if (walk !== undefined && typeof walk !== "boolean")
+    throw new Error(`“${walk}” can’t be used for walk; expected true or false.`);
+  return JSON.parse(JSON.stringify({ theme, ...others, animate: walk }));
 }
