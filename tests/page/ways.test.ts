@@ -165,6 +165,28 @@ test("a worker that is forbidden, wasm that is forbidden, an address that answer
     { quiet: false },
   ));
 
+test("where the page requires Trusted Types the folder runs, and what its policy must allow is said", () =>
+  visit(
+    async ({ page }) => {
+      const alert = page.locator("#one").getByRole("alert").first();
+      const required = `${sameHost}; require-trusted-types-for 'script'`;
+      for (const policy of [required, `${required}; trusted-types lit-html mo-copp`]) {
+        await host(page, own + one, policy);
+        await solved(page);
+        await page.locator("#one").getByRole("tab", { name: "Document" }).click();
+        await page.locator("#one .cm-content").waitFor();
+      }
+      await host(page, own + one, `${required}; trusted-types lit-html`);
+      await alert.getByText("trusted-types of the page’s content policy must allow mo-copp").waitFor();
+      await host(page, own + one, `${required}; trusted-types 'none'`);
+      await alert.getByText("trusted-types of the page’s content policy must allow lit-html and mo-copp.").waitFor();
+      assert.equal(await alert.getByRole("button").count(), 0);
+      await host(page, single + one, `${oneFile}; require-trusted-types-for 'script'`);
+      await alert.getByText("requires Trusted Types: the element as a folder can run there").waitFor();
+    },
+    { quiet: false },
+  ));
+
 test("the one file is at most 900 kB on its way, as the guide says", () => {
   const bytes = gzipSync(readFileSync(join(dist, "mo-copp-playground.single.js")), { level: 9 }).length;
   assert(bytes <= 900_000, `${bytes} bytes`);

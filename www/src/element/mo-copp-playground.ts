@@ -177,7 +177,8 @@ export class MoCoppPlayground extends PlaygroundElement {
       this.#slotted.className = "";
   }
 
-  protected override failed(again: () => void): void {
+  protected override failed(error: unknown, again: () => void): void {
+    const forbidden = /TrustedType/.test(String(error));
     const retry = () => {
       this.#retried = true;
       again();
@@ -185,10 +186,14 @@ export class MoCoppPlayground extends PlaygroundElement {
     const text = document.createElement("p");
     text.className = "failure";
     text.setAttribute("role", "alert");
-    text.append(
-      "The playground could not be loaded. Check the connection, then try again. ",
-      button("Try again", retry),
-    );
+    if (forbidden)
+      text.textContent =
+        "The playground cannot run here: trusted-types of the page’s content policy must allow lit-html and mo-copp.";
+    else
+      text.append(
+        "The playground could not be loaded. Check the connection, then try again. ",
+        button("Try again", retry),
+      );
     // Firefox asks for no module twice that it could not load, as long as the page is open.
     if (this.#retried)
       text.append(

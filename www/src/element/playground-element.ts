@@ -120,7 +120,7 @@ export abstract class PlaygroundElement extends Base {
   protected abstract load(): Promise<typeof View>;
 
   /** The view could not be loaded; `again` tries once more. */
-  protected abstract failed(again: () => void): void;
+  protected abstract failed(error: unknown, again: () => void): void;
 
   /** There is a picture, or word of why there is none. */
   protected shown(): void {
@@ -164,7 +164,7 @@ export abstract class PlaygroundElement extends Base {
     lastBegun = begun.catch(() => undefined);
     this.#begun = begun.catch((error: unknown) => {
       this.#begun = null;
-      this.failed(() => void this.show());
+      this.failed(error, () => void this.show());
       this.#settleReady();
       console.error(error);
     });

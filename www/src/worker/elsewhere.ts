@@ -10,6 +10,7 @@ import { faultOf, NotLoaded } from "./not-loaded.js";
 import { chosenPlaces } from "./places.js";
 import type { CoreMessage, Reply } from "./protocol.js";
 import workerAddress from "./solver.worker.ts?worker&url";
+import { startTrusted } from "./trusted.js";
 import { whyUnreachable } from "./unreachable.js";
 
 type Attribute = "worker-url" | "wasm-url";
@@ -34,13 +35,14 @@ function addressOf(given: string | null, attribute: Attribute): URL | null {
   throw new NotLoaded(`“${given}” can’t be used for the attribute ${attribute}; expected an address`);
 }
 
-const fromFile = (address: URL): Worker => new Worker(address, { name: NAME });
+const fromFile = (address: URL): Worker => startTrusted(address, { name: NAME });
 
 export function fromText(script: string): Worker {
   const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
   try {
-    return new Worker(address, { name: NAME });
-  } catch {
+    return startTrusted(address, { name: NAME });
+  } catch (error) {
+    if (error instanceof NotLoaded) throw error;
     return new Worker(`data:text/javascript;base64,${inBase64(script)}`, { name: NAME });
   } finally {
     // The browser has read it by the time that the worker says anything.

@@ -5,6 +5,7 @@ import core from "virtual:core";
 import { decompress } from "virtual:lzma";
 import { Later, type SolverWorker } from "./later.js";
 import { NAME } from "./names.js";
+import { NotLoaded } from "./not-loaded.js";
 import type { CoreMessage } from "./protocol.js";
 import SolverScript from "./solver.worker.ts?worker&inline";
 
@@ -18,9 +19,18 @@ async function start(): Promise<SolverWorker> {
   // Unpacking takes as long as a few pictures: the page draws what it has before.
   await new Promise((done) => setTimeout(done));
   unpacked ??= unpack();
-  const worker = new SolverScript({ name: NAME });
+  const worker = started();
   worker.postMessage({ kind: "full", core: unpacked.buffer } satisfies CoreMessage);
   return worker;
+}
+
+function started(): Worker {
+  try {
+    return new SolverScript({ name: NAME });
+  } catch (error) {
+    if (!/TrustedScriptURL/.test(String(error))) throw error;
+    throw new NotLoaded("the page’s content policy requires Trusted Types: the element as a folder can run there");
+  }
 }
 
 function unpack(): Uint8Array<ArrayBuffer> {

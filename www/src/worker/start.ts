@@ -8,8 +8,14 @@ import type { CoreMessage } from "./protocol.js";
 export type { SolverWorker };
 
 export function startWorker(): SolverWorker {
-  if (isElsewhere()) return new Later(import("./elsewhere.js").then(({ startElsewhere }) => startElsewhere()));
-  const worker = new Worker(new URL("./solver.worker.ts", import.meta.url), { type: "module", name: NAME });
+  if (isElsewhere()) return elsewhere();
+  let worker: Worker;
+  try {
+    worker = new Worker(new URL("./solver.worker.ts", import.meta.url), { type: "module", name: NAME });
+  } catch {
+    // As where the page requires Trusted Types.
+    return elsewhere();
+  }
   // A bundler that takes the element in gives files new names, and tells them to modules of the page alone.
   const light = new URL("../../pkg-light/mo_copp_light_bg.wasm", import.meta.url).href;
   const full = new URL("../../pkg/mo_copp_bg.wasm", import.meta.url).href;
@@ -17,6 +23,9 @@ export function startWorker(): SolverWorker {
   worker.postMessage({ kind: "full", core: full } satisfies CoreMessage);
   return worker;
 }
+
+const elsewhere = (): SolverWorker =>
+  new Later(import("./elsewhere.js").then(({ startElsewhere }) => startElsewhere()));
 
 function isElsewhere(): boolean {
   const { worker, wasm } = chosenPlaces();
