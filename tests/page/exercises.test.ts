@@ -1,45 +1,13 @@
 // Exercises on the page: each kind by keyboard alone and without barriers, what is hidden, the code and where it goes.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { assertNoBarrier } from "./support/barriers.js";
 import { visit } from "./support/browser.js";
 import { Exercise, seedOf } from "./support/core.js";
+import { exerciseText, give, hear, heardOn, openExercise as open, type Solved, solved } from "./support/exercises.js";
 import { startHost } from "./support/host.js";
 import { address } from "./support/site.js";
-
-const exerciseText = (name: string): string =>
-  readFileSync(new URL(`../../examples/exercises/${name}.json`, import.meta.url), "utf8");
-
-interface Solved {
-  kind: string;
-  /** Positions of the choices of a right answer. */
-  choices: number[];
-  count: number;
-  form: { choices: unknown[] };
-}
-
-function solved(name: string, seed = 0): Solved {
-  const { kind, form, solution } = new Exercise(exerciseText(name), seed).solution();
-  const answer = solution?.answer;
-  const list = form.arity === "one" ? [answer] : (answer as unknown[]);
-  const known = form.choices.map((choice) => JSON.stringify(choice));
-  return { kind, form, choices: list.map((choice) => known.indexOf(JSON.stringify(choice))), count: known.length };
-}
-
-/** Opens an exercise as the page's own problem. */
-async function open(page: Page, name: string): Promise<void> {
-  await page.locator("mo-copp-playground[data-status=optimal]").waitFor();
-  await page.evaluate((text) => {
-    (document.querySelector("mo-copp-playground") as unknown as { document: string }).document = text;
-  }, exerciseText(name));
-  const { title, vary } = JSON.parse(exerciseText(name)).exercise;
-  await page.locator("#exercise-title", { hasText: title }).waitFor();
-  // Where each student has another one: that of the document.
-  if (vary !== undefined) await page.getByRole("button", { name: "Without a name" }).click();
-  await page.locator("#exercise-question").waitFor();
-}
 
 const ends = (page: Page, verdict: "right" | "wrong") => page.locator(`[data-verdict=${verdict}]`).waitFor();
 
@@ -141,9 +109,7 @@ test("a link asks for the student's name where the question varies, and goes on 
   visit(async ({ page }) => {
     const seed = seedOf("Ada Lovelace");
     await page.locator("mo-copp-playground[data-status=optimal]").waitFor();
-    await page.evaluate((text) => {
-      (document.querySelector("mo-copp-playground") as unknown as { document: string }).document = text;
-    }, exerciseText("01-possible-goals"));
+    await give(page, exerciseText("01-possible-goals"));
     const name = page.getByLabel("Your name or number");
     await name.waitFor();
     assert.equal(await page.locator("#exercise-question").count(), 0, "no question before the name");
@@ -247,12 +213,7 @@ test("as an element: seed, student, a block by attribute, the value that a form 
   });
   await visit(async ({ page }) => {
     await page.goto(`${host.address}page.html`);
-    await page.evaluate(() => {
-      const heard: unknown[] = [];
-      Object.assign(window, { heard });
-      for (const type of ["mo-copp-answer", "mo-copp-score"])
-        addEventListener(type, (event) => heard.push([type, (event as CustomEvent).detail]));
-    });
+    await hear(page);
     const [one, two] = [page.locator("#one"), page.locator("#two")];
     await one.locator('.exercise[data-seed="7"]').waitFor();
     await two.locator('.exercise[data-kind="placement"]').waitFor();
@@ -266,8 +227,7 @@ test("as an element: seed, student, a block by attribute, the value that a form 
     await one.locator("[data-verdict=right]").waitFor();
     const code = await one.getByLabel("Answer code").inputValue();
     assert.equal(await sent(), code);
-    const heard = await page.evaluate(() => (window as unknown as { heard: [string, unknown][] }).heard);
-    assert.deepEqual(heard, [
+    assert.deepEqual(await heardOn(page), [
       ["mo-copp-answer", { code, score: 1 }],
       ["mo-copp-score", { score: 1 }],
     ]);
@@ -330,10 +290,7 @@ test("a frame reports the score by SPLICE, and goes on with what was kept", () =
 test("an exercise that is wrong is refused with its place, and a problem after an exercise is a problem", () =>
   visit(async ({ page }) => {
     await open(page, "01-possible-goals");
-    const set = (text: string) =>
-      page.evaluate((text) => {
-        (document.querySelector("mo-copp-playground") as unknown as { document: string }).document = text;
-      }, text);
+    const set = (text: string) => give(page, text);
     await set(exerciseText("01-possible-goals").replace('"attempts": 3', '"attempts": 300'));
     await page.getByText("exercise.attempts: found 300, expected a whole number from 1 to 99").waitFor();
     const { exercise: _, ...plain } = JSON.parse(exerciseText("01-possible-goals"));

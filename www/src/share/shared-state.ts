@@ -5,9 +5,10 @@ import { written } from "../problem/text.js";
 import type { Answer } from "../state/answer.js";
 import type { Boards, Mode } from "../state/boards.js";
 import { type Comparison, initialPatience, patiences } from "../state/comparison.js";
-import type { Exercise, KeptAnswer } from "../state/exercise.js";
+import type { Exercise } from "../state/exercise.js";
 import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
 import type { Guess } from "../state/guess.js";
+import { type KeptAnswer, readAnswer } from "../state/kept-answer.js";
 import type { OpenDocument, OpenProblem } from "../state/open-problem.js";
 import type { Timeline } from "../state/timeline.js";
 import { extras, initialExtra, type Tradeoff } from "../state/tradeoff.js";
@@ -51,10 +52,6 @@ export interface SharedState {
 /** The core takes no longer plans. */
 const LONGEST_PLAN = 10_000;
 const LONGEST_TITLE = 120;
-const LONGEST_ANSWER = 1000;
-const LONGEST_NAME = 200;
-/** A code has up to two and a half signs for each choice, and some for what it is of. */
-const LONGEST_CODE = 8 * LONGEST_ANSWER;
 
 export function stateOf(playground: SharedStores): SharedState | null {
   const posed = playground.exercise.posed.value;
@@ -125,6 +122,7 @@ export function readState(text: string): SharedState {
     unknown
   >;
   if (typeof document !== "string") throw new LinkError("This link is damaged: it holds no problem.");
+  const kept = readAnswer(answer);
   return {
     document,
     form: readForm(form),
@@ -136,24 +134,8 @@ export function readState(text: string): SharedState {
     mode: mode === "walk" || mode === "guess" ? mode : "plan",
     ...(isOneOf(extras, extra) ? { extra } : {}),
     ...(isOneOf([0, ...patiences], patience) ? { patience } : {}),
-    ...(isAnswer(answer) ? { answer } : {}),
+    ...(kept === null ? {} : { answer: kept }),
   };
-}
-
-const isCount = (value: unknown): value is number => typeof value === "number" && Number.isInteger(value) && value >= 0;
-
-function isAnswer(value: unknown): value is KeptAnswer {
-  if (typeof value !== "object" || value === null) return false;
-  const { choices, attempts, hints, name, checked } = value as Record<string, unknown>;
-  const fit = Array.isArray(choices) && choices.length <= LONGEST_ANSWER && choices.every(isCount);
-  const named = name === undefined || (typeof name === "string" && name.length <= LONGEST_NAME);
-  return fit && named && isCount(attempts) && isCount(hints) && (checked === undefined || isChecked(checked));
-}
-
-function isChecked(value: unknown): boolean {
-  if (typeof value !== "object" || value === null) return false;
-  const { code, score } = value as Record<string, unknown>;
-  return typeof code === "string" && code.length <= LONGEST_CODE && (score === 0 || score === 1);
 }
 
 const isOneOf = (numbers: readonly number[], value: unknown): value is number => numbers.some((one) => one === value);

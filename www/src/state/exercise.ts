@@ -5,6 +5,7 @@ import { Copier } from "../view/copier.js";
 import type { Ending } from "../worker/client.js";
 import type { Board, Fault, Seed } from "../worker/protocol.js";
 import { TaskRunner } from "../worker/runner.js";
+import { type CheckedAnswer, fitting, type KeptAnswer, type Tries } from "./kept-answer.js";
 import { isMissing, lost } from "./lost.js";
 
 export interface Picture {
@@ -13,17 +14,6 @@ export interface Picture {
 }
 
 type Scheme = NonNullable<PictureOptions["theme"]>;
-
-/** The answer to a question as a link or a course system keeps it. */
-export interface KeptAnswer {
-  choices: number[];
-  attempts: number;
-  hints: number;
-  /** The name that was given, where one was asked for; empty where the question without one was wanted. */
-  name?: string;
-  /** Of the answer that was checked last. */
-  checked?: { code: string; score: number };
-}
 
 /** A document with an exercise, asked with a seed. */
 interface Posed {
@@ -90,6 +80,10 @@ export class Exercise {
   private scheme: Scheme = "light";
   /** Questions and verdicts. */
   private readonly runner = new TaskRunner("now");
+  /** The answer that was checked last. */
+  private readonly checked = signal<CheckedAnswer | null>(null);
+  /** What was tried of the questions that were shown before this one, by their seeds. */
+  private tries = new Map<number, Tries>();
   /** Pictures of walks, which come and go beside them. */
   private readonly drawer = new TaskRunner("now");
 
@@ -121,8 +115,13 @@ export class Exercise {
     return this.block === null ? null : withBlock(value, this.block);
   }
 
-  /** Asks the question of a document, that of a name where one is given. Null where that was possible, else why not. */
-  async open(text: string, name: string | null = null): Promise<Refusal | null> {
+  /** Asks the question of a document. Null where that was possible, else why not. */
+  open(text: string): Promise<Refusal | null> {
+    return this.ask(text, null, new Map());
+  }
+
+  /** `tries`: what was tried of questions of the document before. */
+  private async ask(text: string, name: string | null, tries: Map<number, Tries>): Promise<Refusal | null> {
     this.opening.value = true;
     const { anyone } = this;
     const seed = name === null || name === "" ? this.seed : { name };
@@ -130,8 +129,11 @@ export class Exercise {
     if (ending.kind === "stale") return null;
     this.opening.value = false;
     if (ending.kind !== "asked") return { message: messageOf(ending), missing: isMissing(ending) };
+    const { question } = ending;
     batch(() => {
-      this.posed.value = { text, question: ending.question, seed, anyone };
+      if (tries === this.tries) this.remember();
+      this.tries = tries;
+      this.posed.value = { text, question, seed, anyone };
       this.name.value = name;
       this.pictures.value = [];
       this.next.value = null;
@@ -140,14 +142,20 @@ export class Exercise {
       this.forget();
     });
     void this.draw();
+    const before = tries.get(question.seed);
+    if (before !== undefined) await this.goOn(before);
     return null;
   }
 
-  /** Shows the question that belongs to a name in place of the one that is open. */
+  /**
+   * Shows the question that belongs to a name in place of the one that is open. What was tried of a question stays tried:
+   * whoever comes back to it goes on there.
+   */
   async call(name: string): Promise<void> {
     const posed = this.posed.value;
-    if (posed === null || !this.asksName.value) return;
-    const refused = await this.open(posed.text, name.trim());
+    const wanted = name.trim();
+    if (posed === null || !this.asksName.value || (wanted === this.name.value && !this.opening.value)) return;
+    const refused = await this.ask(posed.text, wanted, this.tries);
     if (refused !== null && posed === this.posed.value) this.error.value = refused.message;
   }
 
@@ -184,15 +192,41 @@ export class Exercise {
   }
 
   /** Goes on with an answer that was kept. */
-  async resume({ choices, attempts, hints, name, checked }: KeptAnswer): Promise<void> {
-    if (name !== undefined) await this.call(name);
-    const question = this.posed.value?.question;
-    if (question === undefined) return;
-    this.change(choices.filter((choice) => choice < question.form.choices.length));
-    this.attempts.value = attempts;
-    this.hints.value = Math.min(hints, question.hints.length);
-    this.code.value = checked?.code ?? null;
-    this.score.value = checked?.score ?? null;
+  async resume(kept: KeptAnswer): Promise<void> {
+    if (kept.name !== undefined) await this.call(kept.name);
+    for (const { seed, ...tries } of kept.others ?? []) this.tries.set(seed, tries);
+    await this.goOn(kept);
+  }
+
+  /** What an answer is worth that was checked before, the core says again. */
+  private async goOn({ choices, attempts, hints, checked }: Tries): Promise<void> {
+    const posed = this.posed.value;
+    if (posed === null) return;
+    const { text, seed, question } = posed;
+    const known = checked === undefined ? null : { ...checked, choices: fitting(checked.choices, question.form) };
+    batch(() => {
+      this.change(fitting(choices, question.form));
+      this.attempts.value = attempts;
+      this.hints.value = Math.min(hints, question.hints.length);
+      this.checked.value = known;
+      this.checking.value = known !== null;
+    });
+    if (known === null) return;
+    const ending = await this.runner.run({ kind: "judge", document: text, seed, ...known });
+    if (ending.kind === "stale" || posed !== this.posed.value) return;
+    batch(() => {
+      this.checking.value = false;
+      if (ending.kind === "judged") this.tell(ending.verdict, known.choices);
+      else this.checked.value = null;
+      if (ending.kind === "lost") this.error.value = messageOf(ending);
+    });
+  }
+
+  /** What was said of an answer. Another one may be on its way. */
+  private tell(verdict: ExerciseVerdict, choices: readonly number[]): void {
+    this.code.value = verdict.code;
+    this.score.value = verdict.score;
+    if (String(choices) === String(this.choices.value)) this.verdict.value = verdict;
   }
 
   /** Makes a choice: the one, one more or less of a set, or the next of a sequence. */
@@ -227,9 +261,9 @@ export class Exercise {
       return;
     }
     this.checking.value = true;
-    const [choices, hints, attempts] = [this.choices.value, this.hints.value, this.attempts.value + 1];
+    const answer = { choices: [...this.choices.value], hints: this.hints.value, attempts: this.attempts.value + 1 };
     const { text, seed } = posed;
-    const ending = await this.runner.run({ kind: "judge", document: text, seed, choices, attempts, hints });
+    const ending = await this.runner.run({ kind: "judge", document: text, seed, ...answer });
     this.checking.value = false;
     if (ending.kind === "stale" || posed !== this.posed.value) return;
     if (ending.kind !== "judged") {
@@ -238,25 +272,40 @@ export class Exercise {
     }
     batch(() => {
       this.error.value = null;
-      this.attempts.value = attempts;
+      this.attempts.value = answer.attempts;
       this.unsure.value = false;
-      this.code.value = ending.verdict.code;
-      this.score.value = ending.verdict.score;
-      // Another answer may be on its way.
-      if (choices === this.choices.value) this.verdict.value = ending.verdict;
+      this.checked.value = answer;
+      this.tell(ending.verdict, answer.choices);
     });
   }
 
   /** The answer as a link keeps it. */
   get kept(): KeptAnswer {
-    const [code, score] = [this.code.value, this.score.value];
+    const shown = this.posed.value?.question.seed;
+    const others = [...this.tries].filter(([seed]) => seed !== shown).map(([seed, tries]) => ({ seed, ...tries }));
+    return {
+      ...this.tried,
+      ...(this.name.value === null ? {} : { name: this.name.value }),
+      ...(others.length === 0 ? {} : { others }),
+    };
+  }
+
+  /** What was tried of the question that is shown. */
+  private get tried(): Tries {
+    const checked = this.checked.value;
     return {
       choices: [...this.choices.value],
       attempts: this.attempts.value,
       hints: this.hints.value,
-      ...(this.name.value === null ? {} : { name: this.name.value }),
-      ...(code === null || score === null ? {} : { checked: { code, score } }),
+      ...(checked === null ? {} : { checked }),
     };
+  }
+
+  private remember(): void {
+    const { tried } = this;
+    const seed = this.posed.value?.question.seed;
+    const begun = tried.attempts > 0 || tried.hints > 0 || tried.choices.length > 0;
+    if (seed !== undefined && begun) this.tries.set(seed, tried);
   }
 
   dispose(): void {
@@ -278,6 +327,7 @@ export class Exercise {
     batch(() => {
       this.choices.value = [];
       this.verdict.value = null;
+      this.checked.value = null;
       this.code.value = null;
       this.score.value = null;
       this.attempts.value = 0;
