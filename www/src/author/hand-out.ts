@@ -63,7 +63,7 @@ function attempt(playground: AuthorPanelStores): Promise<void> {
   const before = stateOf(playground);
   return checked(playground, async (text) => {
     draft.tried.value = () => {
-      exercise.leave();
+      exercise.close();
       if (before !== null) void restore(playground, before);
     };
     if (!(await edits.open(text))) draft.tried.value = null;

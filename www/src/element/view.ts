@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { toolbar } from "../edit/toolbar.js";
 import type { ExerciseViewStores } from "../exercise/exercise-view.js";
+import { wayBack } from "../exercise/way-back.js";
 import { galleryMenu } from "../gallery/menu.js";
 import { problemBar } from "../gallery/problem-bar.js";
 import { held } from "../gesture/held.js";
@@ -335,7 +336,7 @@ export class View {
                 @click=${() => playground.answer.dismiss()}>${cross}</button>`
         }
       </div>
-      ${asked ? exercise.panel(playground) : this.workplace()} ${dropSign(this.drops)}
+      ${asked ? exercise.panel(playground) : html`${wayBack(playground)} ${this.workplace()}`} ${dropSign(this.drops)}
     `;
   }
 

@@ -39,7 +39,7 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
     ${
       question.lock === true
         ? nothing
-        : html`<p><button type="button" @click=${() => void edits.leaveExercise(question.lock)}>Open the problem in the playground</button></p>`
+        : html`<p><button type="button" @click=${() => void edits.leaveExercise()}>Open the problem in the playground</button></p>`
     }
   </section>`;
 }

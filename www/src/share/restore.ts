@@ -26,7 +26,8 @@ export async function restore(playground: RestoreStores, state: SharedState): Pr
   // What the link leaves out is as nobody touched it, whatever the page was used for before.
   const form = { ...emptyForm, ...state.form };
   const stop = showMeanwhile(playground, state);
-  const right = await playground.edits.open(state.document, form, state.answered ? "chosen" : "exact");
+  const solver = state.answered ? "chosen" : "exact";
+  const right = await playground.edits.open(state.document, form, solver, "end", state.question ?? null);
   stop();
   const { again } = playground.answer;
   if (!right && again.value !== null) again.value = () => void restore(playground, state);

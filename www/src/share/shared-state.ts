@@ -9,7 +9,7 @@ import type { Exercise } from "../state/exercise.js";
 import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
 import type { Guess } from "../state/guess.js";
 import { type KeptAnswer, readAnswer } from "../state/kept-answer.js";
-import type { OpenDocument, OpenProblem } from "../state/open-problem.js";
+import type { LeftQuestion, OpenDocument, OpenProblem } from "../state/open-problem.js";
 import type { Timeline } from "../state/timeline.js";
 import { extras, initialExtra, type Tradeoff } from "../state/tradeoff.js";
 import type { Workbench } from "../state/workbench.js";
@@ -45,6 +45,8 @@ export interface SharedState {
   extra?: number;
   /** The answer to an exercise: the document is one then. */
   answer?: KeptAnswer;
+  /** The question that the problem belongs to, where it is open without it. */
+  question?: LeftQuestion;
   /** The seconds that each solver of the comparison may take, where somebody chose them; 0: without end. */
   patience?: number;
 }
@@ -52,6 +54,8 @@ export interface SharedState {
 /** The core takes no longer plans. */
 const LONGEST_PLAN = 10_000;
 const LONGEST_TITLE = 120;
+/** No document has as many keys. */
+const MOST_LOCKED = 100;
 
 export function stateOf(playground: SharedStores): SharedState | null {
   const posed = playground.exercise.posed.value;
@@ -76,6 +80,7 @@ export function stateOf(playground: SharedStores): SharedState | null {
     tab: playground.workbench.tab.value,
     mode,
     ...(extra === initialExtra ? {} : { extra }),
+    ...(document.question === undefined ? {} : { question: document.question }),
     ...(patience === initialPatience ? {} : { patience: Number.isFinite(patience) ? patience : 0 }),
   };
 }
@@ -117,12 +122,13 @@ export function readState(text: string): SharedState {
     throw new LinkError("This link is damaged.");
   }
   if (typeof value !== "object" || value === null) throw new LinkError("This link is damaged.");
-  const { document, form, answered, plan, title, step, tab, mode, extra, patience, answer } = value as Record<
+  const { document, form, answered, plan, title, step, tab, mode, extra, patience, answer, question } = value as Record<
     string,
     unknown
   >;
   if (typeof document !== "string") throw new LinkError("This link is damaged: it holds no problem.");
   const kept = readAnswer(answer);
+  const left = readQuestion(question);
   return {
     document,
     form: readForm(form),
@@ -135,7 +141,16 @@ export function readState(text: string): SharedState {
     ...(isOneOf(extras, extra) ? { extra } : {}),
     ...(isOneOf([0, ...patiences], patience) ? { patience } : {}),
     ...(kept === null ? {} : { answer: kept }),
+    ...(left === null ? {} : { question: left }),
   };
+}
+
+function readQuestion(value: unknown): LeftQuestion | null {
+  if (typeof value !== "object" || value === null) return null;
+  const { document, answer, locked } = value as Record<string, unknown>;
+  const kept = readAnswer(answer);
+  const keys = Array.isArray(locked) && locked.length <= MOST_LOCKED && locked.every((key) => typeof key === "string");
+  return typeof document === "string" && kept !== null && keys ? { document, answer: kept, locked } : null;
 }
 
 const isOneOf = (numbers: readonly number[], value: unknown): value is number => numbers.some((one) => one === value);

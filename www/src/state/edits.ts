@@ -6,14 +6,14 @@ import type { Answer } from "./answer.js";
 import type { Editing } from "./editing.js";
 import type { Exercise } from "./exercise.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
-import type { OpenDocument, OpenProblem } from "./open-problem.js";
+import type { LeftQuestion, OpenDocument, OpenProblem } from "./open-problem.js";
 import type { Solving } from "./solving.js";
 
 interface Stores {
   problem: OpenProblem;
   answer: Pick<Answer, "again" | "dismiss" | "ran">;
   editing: Pick<Editing, "drag">;
-  exercise: Pick<Exercise, "close" | "leave" | "open" | "stopOpening" | "textOf">;
+  exercise: Pick<Exercise, "block" | "close" | "kept" | "open" | "posed" | "resume" | "stopOpening" | "textOf">;
   form: Signal<Form>;
   solving: Pick<Solving, "clear" | "follow" | "open" | "refuse">;
 }
@@ -27,18 +27,18 @@ export class Edits {
   /**
    * Opens a document and solves it: exactly, or with the solver chosen. One that can't be read leaves everything as it
    * was. `at`: a problem that was not seen yet begins at its first step. A document with an exercise is asked and not
-   * solved. `locked`: keys of the document that no edit may change.
+   * solved. `left`: the question that it belongs to.
    */
   async open(
     text: string,
     form: Partial<Form> = {},
     solver: "exact" | "chosen" = "exact",
     at: "first" | "end" = "end",
-    locked: readonly string[] = [],
+    left: LeftQuestion | null = null,
   ): Promise<boolean> {
     const { problem, answer, editing, form: asked, solving, exercise } = this.stores;
-    const again = () => void this.open(text, form, solver, at, locked);
-    const question = exercise.textOf(text);
+    const again = () => void this.open(text, form, solver, at, left);
+    const question = left === null ? exercise.textOf(text) : null;
     if (question !== null) {
       const refused = await exercise.open(question);
       if (refused !== null) solving.refuse(refused.message, refused.missing ? again : null);
@@ -50,7 +50,7 @@ export class Edits {
     exercise.stopOpening();
     // What is being dragged belongs to the problem that was open.
     editing.drag.value = null;
-    const document = { text, value: documentIn(text) };
+    const document = { text, value: documentIn(text), ...(left === null ? {} : { question: left }) };
     const before = problem.document.value;
     const asking = asked.value;
     const fitting = { ...emptyForm, solver: asking.solver, encoding: asking.encoding, ...form };
@@ -68,7 +68,11 @@ export class Edits {
     await solving.open(document, options, exact, at);
     if (problem.document.value === document) {
       problem.origin.value = document;
-      problem.locked.value = locked;
+      // What was open before is no way around a lock, nor one back to the problem of a question.
+      if (left !== (before?.question ?? null)) problem.history.clear();
+      else if (before !== null && before.text !== text) problem.history.record(before);
+      // The problem is open without its question.
+      if (left !== null) exercise.block = null;
       exercise.close();
     }
     if (problem.opening.value === text) problem.opening.value = null;
@@ -78,21 +82,32 @@ export class Edits {
       if (answer.again.value !== null) answer.again.value = again;
       return false;
     }
-    if (before !== null && before.text !== text) problem.history.record(before);
     answer.ran.value = solver === "exact" ? null : options.solver;
     return true;
   }
 
   /** Opens the problem of the exercise that is asked without its question. */
-  async leaveExercise(lock: boolean | readonly string[]): Promise<void> {
-    await this.open(this.stores.exercise.leave(), {}, "exact", "end", typeof lock === "boolean" ? [] : lock);
+  async leaveExercise(): Promise<void> {
+    const { exercise } = this.stores;
+    const posed = exercise.posed.value;
+    if (posed === null) return;
+    const { lock, document } = posed.question;
+    const left = { document: posed.text, answer: exercise.kept, locked: typeof lock === "boolean" ? [] : lock };
+    await this.open(JSON.stringify(document, null, 2), {}, "exact", "end", left);
+  }
+
+  /** Asks the question again that the open problem belongs to. */
+  async returnToExercise(): Promise<void> {
+    const { exercise, problem } = this.stores;
+    const left = problem.question.value;
+    if (left !== null && (await this.open(left.document))) await exercise.resume(left.answer);
   }
 
   /** Opens a text that was written in place of the open problem's: what is locked stays as it was. */
   async rewrite(text: string): Promise<boolean> {
     const { problem, solving } = this.stores;
     const refused = this.forbids(documentIn(text));
-    if (refused === null) return this.open(text, {}, "exact", "end", problem.locked.value);
+    if (refused === null) return this.open(text, {}, "exact", "end", problem.question.value);
     solving.refuse(refused);
     return false;
   }
@@ -100,9 +115,9 @@ export class Edits {
   /** Why an edit may not be made; null where it may. */
   forbids(value: object): string | null {
     const { problem } = this.stores;
-    const before = (this.before ?? problem.newest)?.value ?? {};
-    const changed = problem.locked.value.find(
-      (key) => JSON.stringify(part(before, key)) !== JSON.stringify(part(value, key)),
+    const before = this.before ?? problem.newest;
+    const changed = before?.question?.locked.find(
+      (key) => JSON.stringify(part(before.value, key)) !== JSON.stringify(part(value, key)),
     );
     return changed === undefined
       ? null
@@ -117,7 +132,8 @@ export class Edits {
       return;
     }
     this.before ??= this.stores.problem.newest;
-    this.follow({ value, text: written(value) });
+    const { question } = this.before ?? {};
+    this.follow({ value, text: written(value), ...(question === undefined ? {} : { question }) });
   }
 
   /** The edit is made: it can be undone. */

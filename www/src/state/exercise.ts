@@ -167,15 +167,6 @@ export class Exercise {
     return { fault: { message: messageOf(ending) }, remarks: [] };
   }
 
-  /** Ends the question: the text of its problem alone. */
-  leave(): string {
-    const { posed } = this;
-    const text = JSON.stringify(posed.value?.question.document ?? {}, null, 2);
-    this.block = null;
-    this.close();
-    return text;
-  }
-
   /** Gives up a question that is on its way. */
   stopOpening(): void {
     if (!this.opening.value) return;

@@ -4,10 +4,21 @@ import { computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Scene } from "../core.js";
 import type { ProblemDocument } from "../problem/types.js";
 import { History } from "./history.js";
+import type { KeptAnswer } from "./kept-answer.js";
+
+/** The question that a problem belongs to, while it is open without it. */
+export interface LeftQuestion {
+  /** The text of the document with the exercise. */
+  document: string;
+  answer: KeptAnswer;
+  /** Keys of the document that no edit may change. */
+  locked: readonly string[];
+}
 
 export interface OpenDocument {
   text: string;
   value: ProblemDocument;
+  question?: LeftQuestion;
 }
 
 export class OpenProblem {
@@ -18,8 +29,7 @@ export class OpenProblem {
   readonly origin = signal<OpenDocument | null>(null);
   /** The text of a document that is being opened: it is shown before it is solved. */
   readonly opening = signal<string | null>(null);
-  /** Keys of the document that no edit may change, as its exercise has it. */
-  readonly locked = signal<readonly string[]>([]);
+  readonly question: ReadonlySignal<LeftQuestion | null> = computed(() => this.document.value?.question ?? null);
   readonly history = new History<OpenDocument>();
   readonly canReset: ReadonlySignal<boolean> = computed(() => {
     const text = this.document.value?.text;

@@ -1,0 +1,21 @@
+// The way back to the question of a problem that was opened without it.
+import { html, nothing, type TemplateResult } from "lit";
+import type { Edits } from "../state/edits.js";
+import type { OpenProblem } from "../state/open-problem.js";
+
+interface WayBackStores {
+  problem: Pick<OpenProblem, "question">;
+  edits: Pick<Edits, "returnToExercise">;
+}
+
+export function wayBack({ problem, edits }: WayBackStores): TemplateResult | typeof nothing {
+  const question = problem.question.value;
+  if (question === null) return nothing;
+  return html`<div class="way-back">
+    <button type="button" @click=${() => void edits.returnToExercise()}>Back to the question</button>
+    <p>This is the problem of a question.${lockedText(question.locked)}</p>
+  </div>`;
+}
+
+const lockedText = (keys: readonly string[]): string =>
+  keys.length === 0 ? "" : ` Locked in it: ${keys.map((key) => key.replaceAll("_", " ")).join(", ")}.`;
