@@ -7,6 +7,7 @@ import { visit } from "./support/browser.js";
 import { replay, solve } from "./support/core.js";
 import { grid } from "./support/documents.js";
 import { saved } from "./support/downloads.js";
+import { type Dropped, drop } from "./support/drop.js";
 import { documentOf } from "./support/gallery.js";
 import { dragMouse } from "./support/hands.js";
 import { drawn, openTab, press, statusIs } from "./support/playground.js";
@@ -32,25 +33,6 @@ const jsonFile = (text: string, called = "problem.json") => ({
   mimeType: "application/json",
   buffer: Buffer.from(text),
 });
-
-interface Dropped {
-  files?: { name: string; text: string }[];
-  text?: string;
-}
-
-/** Drags something over the page and drops it on a part of it. `meanwhile` runs before the drop. */
-async function drop(page: Page, on: string, what: Dropped, meanwhile?: () => Promise<unknown>): Promise<void> {
-  const data = await page.evaluateHandle(({ files = [], text }: Dropped) => {
-    const transfer = new DataTransfer();
-    for (const file of files) transfer.items.add(new File([file.text], file.name, { type: "application/json" }));
-    if (text !== undefined) transfer.setData("text/plain", text);
-    return transfer;
-  }, what);
-  await page.dispatchEvent(on, "dragenter", { dataTransfer: data });
-  await page.dispatchEvent(on, "dragover", { dataTransfer: data });
-  await meanwhile?.();
-  await page.dispatchEvent(on, "drop", { dataTransfer: data });
-}
 
 const alert = (page: Page) => page.getByRole("alert").first();
 

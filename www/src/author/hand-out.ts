@@ -62,10 +62,11 @@ function attempt(playground: AuthorPanelStores): Promise<void> {
   // The step too: it is what the question is about.
   const before = stateOf(playground);
   return checked(playground, async (text) => {
-    draft.tried.value = () => {
+    const back = () => {
       exercise.close();
       if (before !== null) void restore(playground, before);
     };
+    draft.tried.value = { text, back };
     if (!(await edits.open(text))) draft.tried.value = null;
   });
 }

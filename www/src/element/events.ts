@@ -1,6 +1,7 @@
 // What a playground tells the page it stands in: `mo-copp-step`, `mo-copp-outcome`, `mo-copp-answer` and `mo-copp-score`.
 import type { Playground } from "../playground/playground.js";
 import type { Result } from "../state/answer.js";
+import type { PageQuestion } from "./page-question.js";
 import { scoreOf } from "./score.js";
 
 export class Notifier {
@@ -12,6 +13,7 @@ export class Notifier {
   constructor(
     private readonly playground: Playground,
     private readonly element: HTMLElement,
+    private readonly question: PageQuestion,
     /** Told of the code that a form is to send; null where the question has none yet. */
     private readonly keepCode: (code: string | null) => void,
   ) {}
@@ -37,6 +39,10 @@ export class Notifier {
     const outcome = answer.result.value;
     if (outcome !== null && outcome !== this.result) this.send("mo-copp-outcome", outcome.outcome);
     this.result = outcome;
+    if (this.question.counts) this.notifyScore();
+  }
+
+  private notifyScore(): void {
     const code = this.playground.exercise.code.value;
     if (code !== this.code) this.keepCode(code);
     if (code !== null && code !== this.code) this.send("mo-copp-answer", { code, score: scoreOf(this.playground) });

@@ -155,6 +155,14 @@ export async function settle(
   return answer.again.value === null;
 }
 
+/** The text of the document that the attributes ask for; null where it could not be loaded, or they ask for none. */
+export async function documentOf({ gallery }: Playground, { src, problem }: Settings): Promise<string | null> {
+  if (src !== null) return (await fetched(src)).text ?? null;
+  if (problem === null) return null;
+  if (!gallery.documents.value.has(problem)) await gallery.load();
+  return gallery.documents.value.get(problem)?.text ?? null;
+}
+
 export function goToStep({ timeline }: Playground, { step }: Settings): void {
   const wanted = step === null ? null : stepOf(step);
   if (wanted !== null) timeline.goTo(wanted);

@@ -35,8 +35,10 @@ import { Notifier } from "./events.js";
 import { keepInSight } from "./in-sight.js";
 import { LiveRender } from "./live-render.js";
 import { PageKeys } from "./page-keys.js";
+import { PageQuestion } from "./page-question.js";
 import { Printing } from "./printing.js";
 import {
+  documentOf,
   goToStep,
   hiddenParts,
   keyReachOf,
@@ -79,6 +81,7 @@ interface Told {
 export class View {
   readonly playground = new Playground();
   private stopScheme = () => {};
+  private readonly question: PageQuestion;
   private readonly address: Address;
   private readonly copier: LinkCopier;
   private readonly drops: DropTarget;
@@ -113,9 +116,10 @@ export class View {
     first: Wanted,
   ) {
     this.pending = first;
-    this.address = new Address(this.playground, host.shadowRoot !== null);
+    this.question = new PageQuestion(host, this.playground);
+    this.address = new Address(this.playground, host.shadowRoot !== null, (state) => this.question.refuses(state));
     this.copier = new LinkCopier(this.address);
-    this.drops = new DropTarget(this.playground);
+    this.drops = new DropTarget(this.playground, () => this.question.refusal);
     this.announcer = new Announcer(this.playground);
     this.keys = new PageKeys(this.playground, root, host.shadowRoot ?? root, () => keyReachOf(host));
     this.picture = new LiveRender(
@@ -123,7 +127,7 @@ export class View {
       () => this.content(),
       () => this.drawn(),
     );
-    this.notifier = new Notifier(this.playground, host, told.keepCode);
+    this.notifier = new Notifier(this.playground, host, this.question, told.keepCode);
     this.tour = new Tour(root);
     this.onStage = { toured: { ...this.playground, tour: this.tour }, alone: { ...this.playground, tour: null } };
     this.seen = keepInSight(root);
@@ -198,6 +202,7 @@ export class View {
     const opened = await open();
     if (this.pending !== pending) return;
     this.pending = nothingGiven;
+    if (opened) this.question.take();
     if (!opened && this.given === document) this.given = before;
     const { again } = this.playground.answer;
     if (!opened && again.value !== null) again.value = () => void this.give(pending, document, open);
@@ -275,6 +280,7 @@ export class View {
     const document = this.given ?? inline(this.host) ?? exampleDocument;
     const again = () => void this.settle(at);
     const settled = await settle(this.playground, settings, document, at, { wanted, again });
+    if (wanted() && settled) this.question.take();
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
     if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners, "seed", "loading"]));
@@ -308,12 +314,23 @@ export class View {
       if (this.pending === pending) this.pending = nothingGiven;
       return;
     }
-    const opened = this.sharing ? await this.address.read() : null;
+    const opened = await this.openLink();
     if (opened === true || this.followed > 0) return;
     const { answer, solving } = this.playground;
     const [mistake, again] = [answer.error.value, answer.again.value];
     await this.settle(this.opensAt);
     if (opened === false && mistake !== null) solving.refuse(mistake, again);
+  }
+
+  /** Opens what the address holds, where it is this playground's: false where that cannot be, null where it holds nothing. */
+  private async openLink(): Promise<boolean | null> {
+    if (!this.sharing || location.hash === "") return null;
+    const { host, playground } = this;
+    const asks = host.hasAttribute("src") || host.hasAttribute("exercise");
+    const given = inline(host) ?? (asks ? await documentOf(playground, settingsOf(host)) : null);
+    if (this.followed > 0) return null;
+    this.question.expect(given);
+    return this.address.read();
   }
 
   /** What failed for want of a connection or of a solver is tried again by one click. */

@@ -19,8 +19,9 @@ export interface ExerciseViewStores {
 }
 
 export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewStores): TemplateResult {
-  const question = exercise.posed.value?.question;
-  if (question === undefined) return html`<p class="waiting" role="status">Loading the exercise…</p>`;
+  const posed = exercise.posed.value;
+  if (posed === null) return html`<p class="waiting" role="status">Loading the exercise…</p>`;
+  const { question } = posed;
   const tried = exerciseDraft.tried.value;
   return html`<section class="card exercise" part="exercise" aria-labelledby="exercise-title" data-kind=${question.kind}
       data-seed=${question.seed}>
@@ -29,11 +30,11 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
     ${exercise.asksName.value ? nameForm(exercise) : nothing}
     ${exercise.asksName.value && exercise.name.value === null ? nothing : asked(exercise, question)}
     ${
-      tried === null
+      tried?.text !== posed.text
         ? nothing
         : html`<p><button type="button" @click=${() => {
             exerciseDraft.tried.value = null;
-            tried();
+            tried.back();
           }}>Back to editing</button></p>`
     }
     ${

@@ -6,7 +6,7 @@ import { pressed } from "../view/pressed.js";
 import { isOwn, leadsSomewhere } from "./fragment.js";
 import { LinkError, LONGEST_LINK, MOST_TEXT, pack, unpack } from "./packed.js";
 import { type RestoreStores, restore } from "./restore.js";
-import { readState, stateOf } from "./shared-state.js";
+import { readState, type SharedState, stateOf } from "./shared-state.js";
 
 export interface AddressStores extends RestoreStores {
   solving: Solving;
@@ -32,6 +32,8 @@ export class Address {
     private readonly playground: AddressStores,
     /** Whether the page is another's: then fragments that are not ours are its own. */
     private readonly guest: boolean,
+    /** Why a state may not be opened in this page; null where it may. */
+    private readonly refusal: (state: SharedState) => string | null,
   ) {}
 
   /** Takes the address over, where no other playground has it. */
@@ -57,7 +59,10 @@ export class Address {
     if (fragment === "" || this.isForeign(fragment)) return null;
     this.restoring += 1;
     try {
-      return await restore(this.playground, readState(await unpack(fragment)));
+      const state = readState(await unpack(fragment));
+      const refused = this.refusal(state);
+      if (refused !== null) throw new LinkError(refused);
+      return await restore(this.playground, state);
     } catch (error) {
       if (!(error instanceof LinkError)) throw error;
       this.playground.solving.refuse(error.message);

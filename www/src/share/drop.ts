@@ -12,7 +12,11 @@ export class DropTarget {
   private target: EventTarget | null = null;
   private leaving: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly playground: DropStores) {}
+  /** `refusal`: why no file may be opened now; null where one may. */
+  constructor(
+    private readonly playground: DropStores,
+    readonly refusal: () => string | null,
+  ) {}
 
   /** Takes what is dropped on `target`: the whole page, or the playground alone. */
   listen(target: EventTarget): void {
@@ -35,7 +39,7 @@ export class DropTarget {
     }
     if (dataTransfer === null || inText(event)) return;
     event.preventDefault();
-    dataTransfer.dropEffect = "copy";
+    dataTransfer.dropEffect = this.refusal() === null ? "copy" : "none";
     clearTimeout(this.leaving);
     this.over.value = dataTransfer.types.includes("Files");
   };
@@ -59,7 +63,9 @@ export class DropTarget {
     this.pass();
     if (event.defaultPrevented || dataTransfer === null || inText(event)) return;
     event.preventDefault();
-    void this.take(dataTransfer);
+    const refused = this.refusal();
+    if (refused === null) void this.take(dataTransfer);
+    else this.playground.solving.refuse(refused);
   };
 
   private readonly listeners: readonly [string, (event: Event) => void][] = [
@@ -87,5 +93,6 @@ function inText(event: Event): boolean {
 }
 
 export function dropSign(target: DropTarget): TemplateResult | "" {
-  return target.over.value ? html`<div class="drop"><p>Drop the problem document here</p></div>` : "";
+  if (!target.over.value) return "";
+  return html`<div class="drop"><p>${target.refusal() ?? "Drop the problem document here"}</p></div>`;
 }

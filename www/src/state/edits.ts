@@ -21,6 +21,8 @@ interface Stores {
 export class Edits {
   /** The document before the edit under way. */
   private before: OpenDocument | null = null;
+  /** How many documents were asked for: one that comes late is behind a question that was asked for after it. */
+  private asked = 0;
 
   constructor(private readonly stores: Stores) {}
 
@@ -38,6 +40,8 @@ export class Edits {
   ): Promise<boolean> {
     const { problem, answer, editing, form: asked, solving, exercise } = this.stores;
     const again = () => void this.open(text, form, solver, at, left);
+    this.asked += 1;
+    const now = this.asked;
     const question = left === null ? exercise.textOf(text) : null;
     if (question !== null) {
       const refused = await exercise.open(question);
@@ -73,7 +77,7 @@ export class Edits {
       else if (before !== null && before.text !== text) problem.history.record(before);
       // The problem is open without its question.
       if (left !== null) exercise.block = null;
-      exercise.close();
+      if (now === this.asked) exercise.close();
     }
     if (problem.opening.value === text) problem.opening.value = null;
     if (problem.document.value !== document) {

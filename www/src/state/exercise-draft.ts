@@ -57,8 +57,8 @@ export class ExerciseDraft {
   readonly shown = signal("");
   /** Why nothing was handed out. What is only trivial is handed out when it is asked for again. */
   readonly objection = signal<Objection | null>(null);
-  /** Goes back to what was being edited when its exercise was tried. */
-  readonly tried = signal<(() => void) | null>(null);
+  /** The text of the exercise that is being tried, and how to go back to what was being edited. */
+  readonly tried = signal<{ text: string; back: () => void } | null>(null);
 
   edit(change: Partial<DraftFields>): void {
     this.fields.value = { ...this.fields.value, ...change };
