@@ -4,7 +4,9 @@ import { test } from "node:test";
 import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
 import type { GridworldDocument } from "../../www/src/problem/types.js";
 import { assertNoBarrier } from "./support/barriers.js";
+import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
+import { startHost } from "./support/host.js";
 import { opened } from "./support/opened.js";
 import { openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
 import { address } from "./support/site.js";
@@ -135,3 +137,47 @@ test("parts stay locked where the problem may be opened without the question", (
     await page.getByText("“walls” stays as the exercise has it: this part of the problem is locked.").first().waitFor();
     assert.deepEqual(await documentOf(), before);
   }));
+
+test("a link is offered where it opens the exercise, and keeps what the page's address says for itself", async () => {
+  const host = await startHost();
+  host.own.set("favicon.ico", { body: "" });
+  const course = (attributes: string) => ({
+    body: `<!doctype html><html lang="en"><title>Course</title><script type="module" src="mo-copp-playground.js"></script>
+      <main><h1>Week 3</h1><mo-copp-playground ${attributes}></mo-copp-playground></main>`,
+  });
+  host.own.set("off.html", course('link="off"'));
+  host.own.set("view.html", course(""));
+  await visit(
+    async ({ page }) => {
+      const form = async (at: string) => {
+        await page.goto(at);
+        await statusIs(page, "optimal");
+        await openTab(page, "Exercise");
+        await page.getByLabel("Kind of question").selectOption("best");
+      };
+      const copied = async () => {
+        await page.evaluate(() => navigator.clipboard.writeText(""));
+        await press(page, "Copy a link");
+        await page.getByText("Copied.").waitFor();
+        return page.evaluate(() => navigator.clipboard.readText());
+      };
+      await form(`${host.address}off.html?x=1`);
+      assert.equal(await page.getByRole("button", { name: "Copy a link" }).count(), 0);
+      assert.equal(await page.getByRole("button", { name: "Copy code for a page" }).count(), 1);
+      await form(`${host.address}view.html?id=42&src=a%20b`);
+      const link = await copied();
+      assert.ok(link.startsWith(`${host.address}view.html?id=42&src=a%20b#1.`), link);
+      await page.goto("about:blank");
+      await page.goto(link);
+      await page.locator('.exercise[data-kind="best"]').waitFor();
+      // What the playground's own page is asked by its address is not what the link is to open.
+      await form(`${host.address}index.html?problem=corridor&step=1&lang=en`);
+      const own = await copied();
+      assert.ok(own.startsWith(`${host.address}index.html?lang=en#1.`), own);
+      await page.goto("about:blank");
+      await page.goto(own);
+      await page.locator('.exercise[data-kind="best"]').waitFor();
+    },
+    { permissions: ["clipboard-read", "clipboard-write"] },
+  );
+});

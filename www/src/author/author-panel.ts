@@ -36,8 +36,10 @@ const varyWords: Record<Vary, string> = {
   plan: "the walk",
 };
 
-const variants =
-  "A link asks each student for a name or number, and the question is the one that belongs to it. A page of your own says it by the attribute student or seed.";
+const variants = {
+  link: "A link asks each student for a name or number, and the question is the one that belongs to it.",
+  page: "A page of your own says whose question it is by the attribute student or seed.",
+};
 
 const marks = html`<details><summary>Marks</summary>
   <p>An answer that was checked has a code, which students hand in. <code>mo-copp grade exercise.json codes.csv</code> checks
@@ -82,7 +84,7 @@ export function authorPanel(playground: AuthorPanelStores): TemplateResult {
           draft.edit({ vary: toggled(fields.vary, name, on) }),
         ),
       )}
-      ${fields.vary.length === 0 ? nothing : html`<p>${variants}</p>`}
+      ${fields.vary.length === 0 ? nothing : html`<p>${playground.links.value?.asksName ? `${variants.link} ` : ""}${variants.page}</p>`}
     </fieldset>
     ${handOut(playground)}
     ${marks}

@@ -1,5 +1,5 @@
 // Ways to hand an exercise out: tried as a student, as a link, as code for a page, as a file.
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import type { ProblemDocument } from "../problem/types.js";
 import { LONGEST_LINK, MOST_TEXT, pack } from "../share/packed.js";
 import { restore } from "../share/restore.js";
@@ -13,9 +13,12 @@ const words = { "": "", copied: "Copied.", refused: "The page may not use the cl
 
 export function handOut(playground: AuthorPanelStores): TemplateResult {
   const { exerciseDraft: draft } = playground;
+  const links = playground.links.value;
+  const link = ({ begin }: NonNullable<typeof links>) =>
+    html`<button type="button" @click=${() => void checked(playground, (text) => copyLink(playground, begin(), text))}>Copy a link</button>`;
   return html`<div class="actions">
       <button type="button" class="primary" @click=${() => void attempt(playground)}>Try it as a student</button>
-      <button type="button" @click=${() => void checked(playground, (text) => copyLink(playground, text))}>Copy a link</button>
+      ${links === null ? nothing : link(links)}
       <button type="button" @click=${() => void checked(playground, (text) => copyText(playground, codeOf(text)))}>Copy code for a page</button>
       <button type="button" @click=${() => void checked(playground, save)}>Save as a file</button>
     </div>
@@ -73,14 +76,14 @@ function attempt(playground: AuthorPanelStores): Promise<void> {
 
 const save = (text: string) => download(`${text}\n`, "application/json", "exercise.json");
 
-async function copyLink(playground: AuthorPanelStores, document: string): Promise<void> {
+async function copyLink(playground: AuthorPanelStores, address: string, document: string): Promise<void> {
   const state = JSON.stringify({ document, form: {}, step: 0, tab: "", mode: "plan" });
   const packed = state.length > MOST_TEXT ? null : await pack(state);
   if (packed === null || packed.length > LONGEST_LINK) {
     playground.exerciseDraft.shown.value = "This problem is too large for a link: save it as a file instead.";
     return;
   }
-  await copyText(playground, `${location.href.replace(/[?#].*$/s, "")}#${packed}`);
+  await copyText(playground, `${address}#${packed}`);
 }
 
 async function copyText({ exerciseDraft: draft }: AuthorPanelStores, text: string): Promise<void> {

@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals-core";
 import type { Playground } from "../playground/playground.js";
 import type { SharedState } from "../share/shared-state.js";
+import { isOwnPage } from "./settings.js";
 
 export class PageQuestion {
   /** The text of its document; null where the page asks nothing. */
@@ -21,6 +22,11 @@ export class PageQuestion {
   /** The question of a document is the page's, also where a link is opened first. */
   expect(text: string | null): void {
     this.own.value = text === null || isOpenToAll(this.host) ? null : this.playground.exercise.textOf(text);
+  }
+
+  /** Whether the page asks one. */
+  get asked(): boolean {
+    return this.own.value !== null;
   }
 
   /** Why no file may be opened; null where one may. */
@@ -48,7 +54,4 @@ export class PageQuestion {
 
 /** The playground's own page opens what anybody brings, unless its address asks a question. */
 const isOpenToAll = (host: HTMLElement): boolean =>
-  host.getAttribute("root") === "page" &&
-  window.parent === window &&
-  !host.hasAttribute("src") &&
-  !host.hasAttribute("exercise");
+  isOwnPage(host) && !host.hasAttribute("src") && !host.hasAttribute("exercise");

@@ -52,12 +52,13 @@ export function seedOf(element: Element): Seed {
   return wholeNumberOf(element.getAttribute("seed") ?? "") ?? 0;
 }
 
+/** Whether it is the playground's own page, and no frame of another one. */
+export const isOwnPage = (element: Element): boolean =>
+  element.getAttribute("root") === "page" && window.parent === window;
+
 /** Whether a student may say whose variant it is: on the playground's own page, where its address does not. A page around a frame has its own way. */
 export const leavesSeed = (element: Element): boolean =>
-  element.getAttribute("root") === "page" &&
-  window.parent === window &&
-  !element.hasAttribute("seed") &&
-  !element.hasAttribute("student");
+  isOwnPage(element) && !element.hasAttribute("seed") && !element.hasAttribute("student");
 
 const wholeNumberOf = (text: string): number | null => (/^\s*\d{1,15}\s*$/.test(text) ? Number(text) : null);
 

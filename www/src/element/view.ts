@@ -1,4 +1,5 @@
 // What an element shows: the whole playground, drawn into the element itself or into its shadow root.
+import { computed } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import { toolbar } from "../edit/toolbar.js";
 import type { ExerciseViewStores } from "../exercise/exercise-view.js";
@@ -28,11 +29,12 @@ import { fitted } from "../state/numbers.js";
 import { followRow } from "../steps/follow-row.js";
 import { cross } from "../view/icons.js";
 import { LazyPanel } from "../workbench/lazy-panel.js";
-import { workbench } from "../workbench/workbench.js";
+import { type WorkbenchStores, workbench } from "../workbench/workbench.js";
 import { choosePlaces } from "../worker/places.js";
 import type { Answered } from "../worker/protocol.js";
 import { Notifier } from "./events.js";
 import { keepInSight } from "./in-sight.js";
+import { linkAddressOf } from "./link-address.js";
 import { LiveRender } from "./live-render.js";
 import { PageKeys } from "./page-keys.js";
 import { PageQuestion } from "./page-question.js";
@@ -41,6 +43,7 @@ import {
   documentOf,
   goToStep,
   hiddenParts,
+  isOwnPage,
   keyReachOf,
   leavesSeed,
   mistakes,
@@ -97,7 +100,9 @@ export class View {
   private readonly notifier: Notifier;
   private readonly seen: (event: FocusEvent) => void;
   /** Whether the page's address is this playground's. */
-  private sharing = false;
+  private readonly sharing = signal(false);
+  /** What the tabs are drawn with. */
+  private readonly onBench: WorkbenchStores;
   private begun = false;
   /** The attributes that changed in this turn. */
   private readonly changed = new Set<string>();
@@ -130,6 +135,10 @@ export class View {
     this.notifier = new Notifier(this.playground, host, this.question, told.keepCode);
     this.tour = new Tour(root);
     this.onStage = { toured: { ...this.playground, tour: this.tour }, alone: { ...this.playground, tour: null } };
+    // Where the page asks a question, a link opens no other.
+    const link = { begin: () => linkAddressOf(host), asksName: isOwnPage(host) };
+    const links = computed(() => (this.sharing.value && !this.question.asked ? link : null));
+    this.onBench = { ...this.playground, links };
     this.seen = keepInSight(root);
   }
 
@@ -137,9 +146,9 @@ export class View {
     const { host } = this;
     choosePlaces({ worker: host.getAttribute("worker-url"), wasm: host.getAttribute("wasm-url") });
     this.playground.solving.prepare();
-    this.sharing = this.host.getAttribute("link") !== "off" && this.address.claim();
+    this.sharing.value = this.host.getAttribute("link") !== "off" && this.address.claim();
     // Which playground has the address has the page; among several, each takes what is dropped on itself.
-    this.drops.listen(this.sharing ? window : this.host);
+    this.drops.listen(this.sharing.value ? window : this.host);
     this.announcer.listen();
     this.keys.listen();
     this.printing.connect();
@@ -324,7 +333,7 @@ export class View {
 
   /** Opens what the address holds, where it is this playground's: false where that cannot be, null where it holds nothing. */
   private async openLink(): Promise<boolean | null> {
-    if (!this.sharing || location.hash === "") return null;
+    if (!this.sharing.value || location.hash === "") return null;
     const { host, playground } = this;
     const asks = host.hasAttribute("src") || host.hasAttribute("exercise");
     const given = inline(host) ?? (asks ? await documentOf(playground, settingsOf(host)) : null);
@@ -362,12 +371,12 @@ export class View {
     const { playground } = this;
     const hidden = hiddenParts(this.host.getAttribute("hide"));
     const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
-    const link = () => (this.sharing ? copyLink(playground, this.copier) : nothing);
+    const link = () => (this.sharing.value ? copyLink(playground, this.copier) : nothing);
     const share = () =>
       hidden.has("share") ? nothing : html`${pictureButton(playground, () => schemeOf(this.host))} ${link()}`;
     // Parts that the tour speaks of may be left out; of several playgrounds the first has it.
     const toured =
-      this.sharing &&
+      this.sharing.value &&
       !["gallery", "stepper", "workbench", "enemy", "friend", "counts"].some((part) => hidden.has(part));
     return html`
       <div class="sheet-top">
@@ -379,7 +388,7 @@ export class View {
         hidden.has("workbench") && hidden.has("goals")
           ? nothing
           : html`<div class="below">
-              ${show("workbench", () => workbench(playground))}
+              ${show("workbench", () => workbench(this.onBench))}
               ${show("goals", () => html`<section class="card" part="goals" aria-label="Goals">${goalList(playground)}</section>`)}
             </div>`
       }
