@@ -5,7 +5,10 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { ExerciseDraft } from "../../www/src/state/exercise-draft.js";
 import { type Kind, kindsOf, placesOf, type Shown, variableOf } from "../../www/src/state/exercise-subject.js";
+import { OpenProblem } from "../../www/src/state/open-problem.js";
 import { Exercise, scene, solve } from "./support/core.js";
+
+const untouched = () => new ExerciseDraft({ problem: new OpenProblem(), workbench: { id: "form" } });
 
 const folder = new URL("../../www/problems/", import.meta.url);
 
@@ -24,7 +27,7 @@ function shownOf(text: string): Shown {
 
 /** What the core says of the exercise that an untouched form makes. */
 function said(shown: Shown, kind: Kind): string {
-  const draft = new ExerciseDraft();
+  const draft = untouched();
   draft.edit({ kind });
   try {
     const text = JSON.stringify({ ...shown.document, exercise: draft.block(shown) });
@@ -60,7 +63,7 @@ test("the form begins with questions that can be asked and are not trivial", () 
 test("at a step that was chosen the question is about that step, and a guess about the whole plan", () => {
   const shown = { ...shownOf(readFileSync(new URL("eight-by-eight.json", folder), "utf8")), step: 3 };
   const plan = (kind: Kind) => {
-    const draft = new ExerciseDraft();
+    const draft = untouched();
     draft.edit({ kind });
     return (draft.block(shown) as { plan: string[] }).plan.length;
   };

@@ -34,7 +34,7 @@ export class Playground {
   readonly drafts = new Drafts();
   readonly editing = new Editing();
   readonly exercise = new Exercise();
-  readonly exerciseDraft = new ExerciseDraft();
+  readonly exerciseDraft = new ExerciseDraft(this);
   readonly solving = new Solving(this);
   readonly edits = new Edits(this);
   readonly plans = new Plans(this);
@@ -50,10 +50,11 @@ export class Playground {
   readonly command = new Copier();
 
   dispose(): void {
-    const { timeline, solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft, exercise } =
-      this;
-    timeline.pause();
-    for (const part of [solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft, exercise])
+    const { solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft } = this;
+    const { exercise, exerciseDraft } = this;
+    this.timeline.pause();
+    for (const part of [solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft])
       part.dispose();
+    for (const part of [exercise, exerciseDraft]) part.dispose();
   }
 }

@@ -1,9 +1,12 @@
 // An exercise that is being made of the open problem: what its form says, and the block that this comes to.
-import { signal } from "@preact/signals-core";
+import { effect, signal } from "@preact/signals-core";
 import type { ProblemDocument } from "../problem/types.js";
 import { Copier } from "../view/copier.js";
 import type { Proof } from "./exercise.js";
 import { asksAboutWalk, type Chosen, kindsOf, type Shown, subjectOf, variableOf } from "./exercise-subject.js";
+import { KeptDraft } from "./kept-draft.js";
+import type { OpenProblem } from "./open-problem.js";
+import type { Workbench } from "./workbench.js";
 
 /** What the form says; texts as they were typed. */
 export interface DraftFields extends Chosen {
@@ -41,6 +44,25 @@ const empty: DraftFields = {
   vary: [],
 };
 
+/** The fields of a form that was kept; what does not read like one is as nobody touched it. */
+function fieldsIn(text: string): DraftFields {
+  const kept: Record<string, unknown> = { ...empty, ...parsed(text) };
+  const fits = Object.entries(empty).every(([name, value]) => {
+    const other = kept[name];
+    if (Array.isArray(value)) return Array.isArray(other) && other.every((one) => typeof one === "string");
+    return value === null ? other === null || typeof other !== "object" : typeof other === typeof value;
+  });
+  return fits ? (kept as unknown as DraftFields) : empty;
+}
+
+function parsed(text: string): object {
+  try {
+    return Object(JSON.parse(text));
+  } catch {
+    return {};
+  }
+}
+
 /** What observers believe would give the answer away, where the question is about a walk that is told. */
 export const hidesBeliefs = ({ kind, hidesBeliefs }: DraftFields): boolean => hidesBeliefs ?? asksAboutWalk(kind);
 
@@ -59,6 +81,31 @@ export class ExerciseDraft {
   readonly objection = signal<Objection | null>(null);
   /** The text of the exercise that is being tried, and how to go back to what was being edited. */
   readonly tried = signal<{ text: string; back: () => void } | null>(null);
+
+  private readonly kept: KeptDraft;
+  /** Whether what was kept was looked for: there is a document that it may belong to. */
+  private begun = false;
+
+  constructor({ problem, workbench }: { problem: Pick<OpenProblem, "document">; workbench: Pick<Workbench, "id"> }) {
+    this.kept = new KeptDraft(`${workbench.id} exercise`);
+    effect(() => {
+      const from = problem.document.value?.text;
+      if (from === undefined) return;
+      if (!this.begun) {
+        this.begun = true;
+        const before = this.kept.read(from);
+        if (before !== null && this.fields.value === empty) this.fields.value = fieldsIn(before.text);
+      }
+      this.kept.listen();
+      const { value } = this.fields;
+      // What was begun for another document stays kept while this form is untouched.
+      if (value !== empty) this.kept.write({ text: JSON.stringify(value), from });
+    });
+  }
+
+  dispose(): void {
+    this.kept.release();
+  }
 
   edit(change: Partial<DraftFields>): void {
     this.fields.value = { ...this.fields.value, ...change };

@@ -3,11 +3,11 @@ import { computed, effect, type ReadonlySignal, signal } from "@preact/signals-c
 import type { Answer } from "../state/answer.js";
 import { Coalesce } from "../state/coalesce.js";
 import type { Edits } from "../state/edits.js";
+import { type Begun, KeptDraft } from "../state/kept-draft.js";
 import type { OpenProblem } from "../state/open-problem.js";
 import type { Workbench } from "../state/workbench.js";
 import type { Fault } from "../worker/protocol.js";
 import { TaskRunner } from "../worker/runner.js";
-import { type Begun, KeptDraft } from "./kept-draft.js";
 
 interface DraftStores {
   problem: OpenProblem;
