@@ -44,6 +44,9 @@ test("an exercise that is wrong stays in the form, with the core's word of why",
     assert.equal(await page.getByText("Copied.").count(), 0);
     await page.getByLabel("Attempts (empty: any number)").fill("");
     await page.getByLabel("Kind of question").selectOption("walk");
+    await page.getByLabel("Goal difference of at least").fill("half");
+    await press(page, "Copy a link");
+    await page.getByText('"half" can’t be used; it takes a number from -1 to 1, or a fraction').waitFor();
     await page.getByLabel("Goal difference of at least").fill("-1");
     // What is only trivial is handed out when it is asked for again.
     await press(page, "Try it as a student");

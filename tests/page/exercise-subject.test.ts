@@ -4,7 +4,15 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { ExerciseDraft } from "../../www/src/state/exercise-draft.js";
-import { type Kind, kindsOf, placesOf, type Shown, variableOf } from "../../www/src/state/exercise-subject.js";
+import {
+  type Kind,
+  kindsOf,
+  placesOf,
+  type Shown,
+  subjectOf,
+  variableOf,
+} from "../../www/src/state/exercise-subject.js";
+import { differenceIn, differenceText } from "../../www/src/state/goal-difference-text.js";
 import { OpenProblem } from "../../www/src/state/open-problem.js";
 import { Exercise, scene, solve } from "./support/core.js";
 
@@ -80,4 +88,46 @@ test("what a format lacks is not offered", () => {
   assert.deepEqual(placesOf(document("box-pushing")), ["wall", "start"]);
   const told = { ...document("blocks"), problem: "(define (problem p) ; (:goal\n (:goal (on a b)))" };
   assert(!kindsOf(told).includes("guess") && kindsOf(document("blocks")).includes("guess"));
+});
+
+test("a goal difference is the exact one, typed as a fraction or with three decimals", () => {
+  const thirds = readFileSync(new URL("../learn/figures/survivors.json", folder), "utf8");
+  const shown = shownOf(thirds);
+  const goals = shown.goals.length;
+  assert.equal(shown.best, 2 / 3);
+  // As the form begins, and as people type it; a rounded one must not ask for more than there is.
+  for (const difference of [null, "2/3", " 2 / 3 ", "0.667", "0,667", "0.6667", "0.66666666"]) {
+    const draft = untouched();
+    draft.edit({ kind: "walk", difference });
+    const block = draft.block(shown) as { goal_difference: unknown };
+    assert.equal(block.goal_difference, 2 / 3, String(difference));
+    const exercise = new Exercise(JSON.stringify({ ...shown.document, exercise: block }), 0);
+    assert.equal(exercise.question().kind, "walk", "the core has an answer");
+  }
+  const draft = untouched();
+  draft.edit({ kind: "walk" });
+  assert.equal(subjectOf(draft.fields.value, shown).difference, "2/3");
+  const numbers: [string, number, number | null][] = [
+    ["-1/3", 4, -1 / 3],
+    ["−0.333", 4, -1 / 3],
+    ["0.6", 4, 0.6],
+    ["0.5", 4, 0.5],
+    ["0", 4, 0],
+    ["1", 1, 1],
+    ["1/0", 4, null],
+    ["half", 4, null],
+    ["", 4, null],
+  ];
+  for (const [text, goals, number] of numbers) assert.equal(differenceIn(text, goals), number, text);
+  const texts: [number, number, string][] = [
+    [2 / 3, 4, "2/3"],
+    [-1 / 3, 4, "-1/3"],
+    [0.5, 5, "1/2"],
+    [0.5, 4, "0.5"],
+    [1, 4, "1"],
+    [0, 4, "0"],
+    [0.25, 1, "0.25"],
+  ];
+  for (const [number, goals, text] of texts) assert.equal(differenceText(number, goals), text, text);
+  assert(goals > 2, "more than two goals make thirds");
 });

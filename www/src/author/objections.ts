@@ -49,7 +49,8 @@ function faultWords({ message, path, found, expected }: NonNullable<Objection["f
   if (key === undefined) return reasonWords(found);
   if (key === "goal_difference" && found === "nothing")
     return "Say which goal difference the walk must have at least, or how many steps at most.";
-  return `${fields[key] ?? key}: ${found} can’t be used; it takes ${expected}.`;
+  const also = key === "goal_difference" ? ", or a fraction such as 2/3" : "";
+  return `${fields[key] ?? key}: ${found} can’t be used; it takes ${expected}${also}.`;
 }
 
 function reasonWords(found: string): string {

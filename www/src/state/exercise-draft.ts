@@ -4,6 +4,7 @@ import type { ProblemDocument } from "../problem/types.js";
 import { Copier } from "../view/copier.js";
 import type { Proof } from "./exercise.js";
 import { asksAboutWalk, type Chosen, kindsOf, type Shown, subjectOf, variableOf } from "./exercise-subject.js";
+import { differenceIn } from "./goal-difference-text.js";
 import { KeptDraft } from "./kept-draft.js";
 import type { OpenProblem } from "./open-problem.js";
 import type { Workbench } from "./workbench.js";
@@ -134,7 +135,9 @@ export class ExerciseDraft {
       ...(introduction.trim() === "" ? {} : { introduction: introduction.trim() }),
       ...(asksAboutWalk(kind) ? { observer, plan } : {}),
       ...(kind === "placement" ? { place, goal, possible: rest.possible } : {}),
-      ...(kind === "walk" ? { ...numberAs("goal_difference", difference), ...numberAs("at_most", rest.atMost) } : {}),
+      ...(kind === "walk"
+        ? { ...differenceAs(difference, shown.goals.length), ...numberAs("at_most", rest.atMost) }
+        : {}),
       ...(kind === "best" && rest.shortest ? { shortest: true } : {}),
       ...(lines.some((line) => line !== "") ? { hints: lines.filter((line) => line !== "") } : {}),
       ...numberAs("attempts", attempts),
@@ -144,6 +147,10 @@ export class ExerciseDraft {
     };
   }
 }
+
+/** The exact number: one that is rounded up no walk would reach. */
+const differenceAs = (text: string, goals: number): object =>
+  text.trim() === "" ? {} : { goal_difference: differenceIn(text, goals) ?? text };
 
 /** What is no number goes to the core as it was typed: it has the words for it. */
 function numberAs(key: string, text: string): object {

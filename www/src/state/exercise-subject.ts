@@ -3,6 +3,7 @@
 import type { TraceStep } from "../core.js";
 import type { ProblemDocument, Role } from "../problem/types.js";
 import { roles } from "../view/observers.js";
+import { differenceText } from "./goal-difference-text.js";
 
 export const kinds = ["possible-goals", "belief", "walk", "best", "placement", "guess"] as const;
 export const places = ["camera", "wall", "start"] as const;
@@ -52,7 +53,7 @@ export function subjectOf(chosen: Chosen, shown: Shown): Subject {
     step,
     place: offered.find((place) => place === chosen.place) ?? offered[0] ?? "start",
     goal: shown.goals.find((goal) => goal === chosen.goal) ?? goalOf(chosen, shown, { observer, step }),
-    difference: chosen.difference ?? String(Math.round((shown.best ?? 0.5) * 1000) / 1000),
+    difference: chosen.difference ?? differenceText(shown.best ?? 0.5, shown.goals.length),
   };
 }
 
