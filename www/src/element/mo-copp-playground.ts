@@ -56,7 +56,7 @@ slot.poster ~ .has-poster:not(.waiting) > :not(.error, .failure) { display: none
  * @attr {"off"} link - `off`: this playground leaves the page's address alone.
  * @attr {"light"|"dark"|"auto"} theme - The colours; `auto`, as without it, follows the page.
  * @attr {"page"|"focus"|"off"} keys - Where keys walk through the steps.
- * @attr {"lazy"} loading - `lazy`: nothing is loaded before the playground nears the view.
+ * @attr {"lazy"} loading - `lazy`: nothing is loaded before the playground is in sight or, once the page is read on, near it.
  * @attr {string} worker-url - Where the worker's script is, for pages that place it themselves.
  * @attr {string} wasm-url - Where the core is, for pages that place it themselves.
  *

@@ -1,5 +1,5 @@
 // What an element shows: the whole playground, drawn into the element itself or into its shadow root.
-import { computed } from "@preact/signals-core";
+import { computed, signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import { toolbar } from "../edit/toolbar.js";
 import type { ExerciseViewStores } from "../exercise/exercise-view.js";

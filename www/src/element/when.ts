@@ -9,25 +9,55 @@ export function whenParsed(): Promise<void> {
   return new Promise((resolve) => document.addEventListener("DOMContentLoaded", () => resolve(), { once: true }));
 }
 
-/** Calls `near` once: when the element comes near what is seen, or the page is printed. Returns how to stop waiting. */
+/** Signs that somebody reads on. Before any of them what is out of sight may stay there. */
+const signs = ["scroll", "keydown", "pointerdown"] as const;
+let reading = false;
+
+/** Calls `begun` at the first of the signs; at once where there was one. Returns how to stop waiting. */
+function whenReading(begun: () => void): () => void {
+  const begin = () => {
+    reading = true;
+    stop();
+    begun();
+  };
+  // Scrolling does not bubble.
+  const stop = () => {
+    for (const sign of signs) window.removeEventListener(sign, begin, { capture: true });
+  };
+  if (reading) begun();
+  else for (const sign of signs) window.addEventListener(sign, begin, { capture: true, passive: true });
+  return stop;
+}
+
+/**
+ * Calls `near` once: when the element is in sight or, once the page is being read, near it, or when the page is printed.
+ * Returns how to stop waiting.
+ */
 export function whenNear(element: Element, near: () => void): () => void {
   const paper = globalThis.matchMedia?.("print");
-  const stop = () => {
-    observer.disconnect();
-    window.removeEventListener("beforeprint", come);
-    paper?.removeEventListener("change", come);
-  };
+  const observers: IntersectionObserver[] = [];
   const come = () => {
     stop();
     near();
   };
-  const observer = new IntersectionObserver(
-    (entries) => {
-      if (entries.some(({ isIntersecting }) => isIntersecting)) come();
-    },
-    { rootMargin: `${NEAR} 0px` },
-  );
-  observer.observe(element);
+  const observe = (margin: string) => {
+    const observer = new IntersectionObserver(
+      (entries) => {
+        if (entries.some(({ isIntersecting }) => isIntersecting)) come();
+      },
+      { rootMargin: `${margin} 0px` },
+    );
+    observer.observe(element);
+    observers.push(observer);
+  };
+  observe("0px");
+  const stopReading = whenReading(() => observe(NEAR));
+  const stop = () => {
+    stopReading();
+    for (const observer of observers) observer.disconnect();
+    window.removeEventListener("beforeprint", come);
+    paper?.removeEventListener("change", come);
+  };
   window.addEventListener("beforeprint", come);
   paper?.addEventListener("change", come);
   return stop;
