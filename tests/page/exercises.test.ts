@@ -339,6 +339,13 @@ test("no picture of a question tells what observers believe where that is hidden
           boards,
           name,
         );
+        const widths = await page
+          .locator(".exercise figure img")
+          .evaluateAll((images) => images.map((image) => image.getBoundingClientRect().width));
+        const [agent = 0, ...others] = widths;
+        assert(agent > 200, `${name}: the agent's board is ${agent} px wide`);
+        for (const width of others)
+          assert(width > 100 && width <= agent, `${name}: an observer's board is ${width} px wide`);
         for (const { told } of shown) assert(!/possible|believes/i.test(told), `${name}: ${told}`);
         const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
         assert(wide <= 0, `${name} is ${wide} px too wide`);
