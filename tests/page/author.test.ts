@@ -8,7 +8,7 @@ import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
 import { startHost } from "./support/host.js";
 import { opened } from "./support/opened.js";
-import { openTab, press, slider, statusIs, useDocument } from "./support/playground.js";
+import { openTab, press, slider, statusIs, stepIs, useDocument } from "./support/playground.js";
 import { address } from "./support/site.js";
 
 test("an exercise is made of the steps shown, tried, and edited again", () =>
@@ -85,6 +85,36 @@ test("what the plan shown leaves no answer to is refused in plain words, and wha
     assert.equal(await page.getByText("A link asks each student for a name").count(), 0);
     await page.getByLabel("the true goal").check();
     await page.getByText("A link asks each student for a name").waitFor();
+  }));
+
+test("variants that no student gets are refused, and such as are all the same are handed out when asked for again", () =>
+  opened({ tab: "Exercise" }, async (page) => {
+    await page.getByLabel("Kind of question").selectOption("best");
+    await page.getByLabel("the true goal").check();
+    await press(page, "Try it as a student");
+    const same = page.getByText("Of what is other for each student: all 20 variants drawn ask the same question.");
+    await same.waitFor();
+    assert.equal(await page.locator(".exercise").count(), 0);
+    // Of another exercise nothing is said yet.
+    await page.getByLabel("the goals").check();
+    assert.equal(await same.count(), 0);
+    await page.getByLabel("the goals").uncheck();
+    await press(page, "Try it as a student");
+    await same.waitFor();
+    await press(page, "Try it as a student");
+    await page.locator('.exercise[data-kind="best"]').waitFor();
+    const plan = "north,west,west,west,west,north,south,east,east,east,east,north,north,east,east,east";
+    await page.goto(`${address}?problem=head-fake&plan=${plan}&step=${plan.split(",").length}`);
+    await stepIs(page, plan.split(",").length);
+    await openTab(page, "Exercise");
+    await page.getByLabel("Kind of question").selectOption("guess");
+    await page.getByLabel("Whose view").selectOption("cooperative");
+    await page.getByLabel("the walk").check();
+    for (let presses = 0; presses < 2; presses += 1) {
+      await press(page, "Try it as a student");
+      await page.getByText("Most students would get no question: none of 4 seeds drawn has a variant.").waitFor();
+      assert.equal(await page.locator(".exercise").count(), 0);
+    }
   }));
 
 test("the link opens the question, and the code holds the document", () =>

@@ -46,7 +46,7 @@ export function documentOf(playground: AuthorPanelStores): string | null {
   return JSON.stringify({ ...document, exercise: playground.exerciseDraft.block(shown) }, null, 2);
 }
 
-/** An exercise that is wrong stays in the form, with the word of why; one that is trivial until it is asked for again. */
+/** An exercise that is wrong stays in the form, with the word of why; one that is trivial, or has poor variants, until it is asked for again. */
 async function checked(playground: AuthorPanelStores, handOn: (text: string) => unknown): Promise<void> {
   const text = documentOf(playground);
   if (text === null) return;
@@ -55,8 +55,9 @@ async function checked(playground: AuthorPanelStores, handOn: (text: string) => 
   const proof = await exercise.prove(text);
   if (proof === null) return;
   const warned = known?.text === text && known.fault === null;
-  const right = proof.fault === null && (proof.remarks.length === 0 || warned);
-  draft.objection.value = right && proof.remarks.length === 0 ? null : { text, ...proof };
+  const sound = proof.fault === null && proof.remarks.length === 0 && proof.variants.length === 0;
+  const right = sound || (proof.fault === null && warned);
+  draft.objection.value = sound ? null : { text, ...proof };
   if (right) await handOn(text);
 }
 

@@ -34,10 +34,19 @@ const reasons: readonly [RegExp, (...found: string[]) => string][] = [
   [/^no walk answers/, () => "No walk is as good as that: ask for a smaller goal difference or for more steps."],
 ];
 
-export function objectionWords({ fault, remarks }: Pick<Objection, "fault" | "remarks">): string {
+const again = "Press the button again to hand it out all the same.";
+
+export function objectionWords({
+  fault,
+  remarks,
+  variants,
+}: Pick<Objection, "fault" | "remarks" | "variants">): string {
   if (fault !== null) return faultWords(fault);
-  if (remarks.length === 0) return "";
-  return `This question is trivial: ${remarks.join("; ")}. Press the button again to hand it out all the same.`;
+  const said = [
+    ...(remarks.length === 0 ? [] : [`This question is trivial: ${remarks.join("; ")}.`]),
+    ...(variants.length === 0 ? [] : [`Of what is other for each student: ${variants.join("; ")}.`]),
+  ];
+  return said.length === 0 ? "" : [...said, again].join(" ");
 }
 
 function faultWords({ message, path, found, expected }: NonNullable<Objection["fault"]>): string {
@@ -46,6 +55,9 @@ function faultWords({ message, path, found, expected }: NonNullable<Objection["f
   const trivial = /^a question of which (.+)$/.exec(found)?.[1];
   if (trivial !== undefined)
     return `A trivial question cannot be other for each student: ${trivial}. Make it harder, or let nothing be other.`;
+  const drawn = /, where (.+ seeds drawn .+)$/.exec(found)?.[1];
+  if (drawn !== undefined)
+    return `Most students would get no question: ${drawn}. Let something else be other for each student, or nothing.`;
   if (key === undefined) return reasonWords(found);
   if (key === "goal_difference" && found === "nothing")
     return "Say which goal difference the walk must have at least, or how many steps at most.";

@@ -37,6 +37,8 @@ export interface Proof {
   fault: Omit<Fault, "place"> | null;
   /** What makes it trivial. */
   remarks: readonly string[];
+  /** What its author should know of its variants. */
+  variants: readonly string[];
 }
 
 export class Exercise {
@@ -159,12 +161,12 @@ export class Exercise {
     if (refused !== null && posed === this.posed.value) this.error.value = refused.message;
   }
 
-  /** What is wrong with a document's exercise, and what makes it trivial; null where another was looked at meanwhile. */
+  /** What is wrong with a document's exercise, what makes it trivial, and what is wrong with its variants; null where another was looked at meanwhile. */
   async prove(text: string): Promise<Proof | null> {
     const ending = await this.runner.run({ kind: "prove", document: text });
     if (ending.kind === "stale") return null;
     if (ending.kind === "proved") return ending;
-    return { fault: { message: messageOf(ending) }, remarks: [] };
+    return { fault: { message: messageOf(ending) }, remarks: [], variants: [] };
   }
 
   /** Gives up a question that is on its way. */

@@ -26,12 +26,14 @@ export function asked(core: Core, { document, seed }: Of<"exercise">): Answer {
 
 export function proved(core: Core, { document }: Of<"prove">): Answer {
   try {
-    const { solution } = exerciseOf(core, document, 0).solution();
-    return { kind: "proved", fault: null, remarks: solution?.remarks ?? [] };
+    const exercise = exerciseOf(core, document, 0);
+    const { solution } = exercise.solution();
+    const variants = exercise.sample(document)?.remarks ?? [];
+    return { kind: "proved", fault: null, remarks: solution?.remarks ?? [], variants };
   } catch (error) {
     const fault = faultIn(error);
     if (fault === null) throw error;
-    return { kind: "proved", fault, remarks: [] };
+    return { kind: "proved", fault, remarks: [], variants: [] };
   }
 }
 

@@ -36,7 +36,7 @@ export type Task =
   | { kind: "picture"; document: string; plan: string[]; options: PictureOptions }
   /** The question of a document with an exercise. */
   | { kind: "exercise"; document: string; seed: Seed }
-  /** Whether the exercise of a document can be asked, and what makes it trivial. */
+  /** Whether the exercise of a document can be asked, what makes it trivial, and what is wrong with its variants. */
   | { kind: "prove"; document: string }
   /** What is said of an answer to it. */
   | { kind: "judge"; document: string; seed: Seed; choices: readonly number[]; attempts: number; hints: number }
@@ -82,7 +82,7 @@ export type Answer =
   | { kind: "advised"; advice: Advice }
   | { kind: "drawn"; svg: string }
   | { kind: "asked"; question: Question }
-  | { kind: "proved"; fault: Fault | null; remarks: readonly string[] }
+  | { kind: "proved"; fault: Fault | null; remarks: readonly string[]; variants: readonly string[] }
   | { kind: "judged"; verdict: ExerciseVerdict }
   | { kind: "sketched"; pictures: string[]; next: NextAction[]; last: TraceStep | null }
   /** The document, the plan or the options are wrong: `message` is for the person to read. `unloaded`: nothing is wrong
