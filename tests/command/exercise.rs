@@ -21,7 +21,7 @@ fn show_prints_the_question_and_the_solution_only_where_it_is_asked_for() {
     assert_eq!(
         shown.out,
         "Two axes\n\
-         The enemy sees whether a step is vertical or horizontal, and not which way it goes.\n\
+         The enemy is told whether a step is vertical or horizontal, and not which way it goes.\n\
          After the walk west, west, north, north: which goals are possible for the enemy?\n\
          kind: possible-goals, seed: 0\n"
     );

@@ -1,4 +1,4 @@
-// The problem of a question in words: what the picture shows, and what the observers see of each action.
+// The problem of a question in words: what the picture shows, and what the observers are told of each action.
 import { html, type TemplateResult } from "lit";
 import type { Question } from "../core.js";
 import { cellText } from "../problem/cells.js";
@@ -44,7 +44,8 @@ function gridInWords(grid: Grid, kind: string): TemplateResult {
 function watcherText(role: "adversarial" | "cooperative", { sensor, cameras = [], initial_belief }: Watcher): string {
   const told = Object.entries(sensor).map(([action, symbol]) => `“${symbol}” for ${action}`);
   const who = `The ${called[role]}`;
-  const watched = cameras.length === 0 ? "" : ` Its cameras: ${cells(cameras)}; there it sees the very cell instead.`;
+  const watched =
+    cameras.length === 0 ? "" : ` Its cameras: ${cells(cameras)}; there it is told the very cell instead.`;
   const begins =
     initial_belief === undefined
       ? "knows the start"
