@@ -135,6 +135,8 @@ test("beside the question of the page nothing counts: no exercise that is tried,
     await press(page, "Back to editing");
     await press(page, "Back to the question");
     await page.getByText("2 attempts left.").waitFor();
+    // The core has judged the answer again.
+    await page.getByLabel("Answer code").waitFor();
     assert.equal(await sent(page), code);
   });
 });

@@ -30,8 +30,9 @@ const ENGINES: &[Arrows] = &[
     ("parallel_walks", &["engine", "options", "outcome"]),
 ];
 
-/// What is made of several engines.
+/// What is made of several engines, or helps itself to one.
 const COMPOSITIONS: &[Arrows] = &[
+    ("conclude", &["engine", "error", "options", "outcome", "parallel_walks"]),
     ("cost_limited", &["engine", "explorer", "optimiser", "options", "outcome"]),
     (
         "portfolio",
@@ -46,6 +47,7 @@ const DISPATCH: &[Arrows] = &[
         &[
             "algorithm1",
             "baseline",
+            "conclude",
             "cost_limited",
             "engine",
             "error",

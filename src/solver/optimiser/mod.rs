@@ -142,14 +142,16 @@ impl Optimiser {
         self.best.is_some()
     }
 
-    /// Whether none was found with so much work, or with samples where beliefs have outgrown their lists.
-    pub(in crate::solver) fn lacks_plan(&self, work_without_plan: u64) -> bool {
-        let tried = self.work.as_ref().is_some_and(|work| {
-            let spent = self.expansions + work.space.touched;
-            let finds = matches!(work.stage, Stage::Find(_));
-            spent >= work_without_plan || finds && work.tried_samples
-        });
-        self.best.is_none() && tried
+    /// Whether none was found with so much work: expansions and believed states gone through.
+    pub(in crate::solver) fn lacks_plan(&self, after_work: u64) -> bool {
+        let spent = |work: &Work| self.expansions + work.space.touched;
+        !self.has_plan() && self.work.as_deref().map_or(0, spent) >= after_work
+    }
+
+    /// Whether beliefs have outgrown their lists and samples in their place have led to no plan.
+    pub(in crate::solver) fn lacks_plan_after_samples(&self) -> bool {
+        let tried = |work: &Work| work.tried_samples && matches!(work.stage, Stage::Find(_));
+        !self.has_plan() && self.work.as_deref().is_some_and(tried)
     }
 
     /// Gives the memory back. What is proved stays; there is no going on.

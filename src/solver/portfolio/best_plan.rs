@@ -20,35 +20,38 @@ use crate::solver::parallel_walks;
 use crate::trace::validate_within;
 
 /// Believed states gone through and nodes expanded by the optimiser without a plan, after which one is looked for elsewhere:
-/// about half a second.
+/// about half a second. After [`LONGER`] times as many the means have their second turn.
 const WORK_WITHOUT_PLAN: u64 = 3_000_000;
+const LONGER: u64 = 10;
 
 /// Of the memory limit the part that looking for a first plan may take beside the optimiser: one of so many.
-const SHARE_OF_MEMORY: u64 = 4;
+pub(super) const SHARE_OF_MEMORY: u64 = 2;
 
 /// The optimiser and, for a while, the means for a first plan.
 pub(in crate::solver) struct BestPlan {
     problem: Arc<Problem>,
     options: Options,
     optimiser: Optimiser,
+    /// How much work of the optimiser without a plan brings their next turn.
     work: u64,
+    /// Nodes of the first turn of Algorithm 1.
     nodes: u64,
-    first: Option<Box<FirstPlan>>,
-    /// How far they have been tried.
-    tried: Tried,
+    means: Means,
     /// The limit that the optimiser has met.
     met: Option<LimitReached>,
-    /// Their work.
+    /// Work of means that have come to their end.
     earlier: Stats,
 }
 
-/// How far the means for a first plan have been tried.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Tried {
-    No,
-    /// With the memory that the optimiser left, which was too little.
-    WithTooLittle,
-    Yes,
+/// The means for a first plan.
+enum Means {
+    Untried,
+    /// They have had their first turns.
+    Waiting(Box<FirstPlan>),
+    AtWork(Box<FirstPlan>),
+    /// They have run out of the memory that the optimiser left.
+    HadTooLittle,
+    Over,
 }
 
 impl BestPlan {
@@ -72,11 +75,15 @@ impl BestPlan {
             options: options.clone(),
             work,
             nodes,
-            first: None,
-            tried: Tried::No,
+            means: Means::Untried,
             met: None,
             earlier: Stats::default(),
         }
+    }
+
+    /// After the first turns of the means for a first plan.
+    pub(super) fn after(first: Box<FirstPlan>, problem: Arc<Problem>, options: &Options) -> Self {
+        Self { means: Means::Waiting(first), ..Self::new(problem, options) }
     }
 
     /// Whether there is a plan.
@@ -85,29 +92,54 @@ impl BestPlan {
         self.optimiser.has_plan()
     }
 
-    /// Whether a first plan was looked for and there is one.
-    #[cfg(test)]
-    pub(super) fn learns(&self) -> bool {
-        self.tried != Tried::No && self.has_plan()
-    }
-
-    fn begin_first(&mut self) {
-        self.tried = Tried::Yes;
-        let mut options = left(&self.options, &self.stats());
-        if self.met.is_none() {
-            options.limits.bytes /= SHARE_OF_MEMORY;
+    /// Whether the next turn of the means is due.
+    fn is_due(&self) -> bool {
+        match self.means {
+            Means::Untried => {
+                self.optimiser.lacks_plan(self.work) || self.optimiser.lacks_plan_after_samples()
+            }
+            Means::Waiting(_) => self.optimiser.lacks_plan(self.work),
+            Means::AtWork(_) | Means::HadTooLittle | Means::Over => false,
         }
-        let problem = Arc::clone(&self.problem);
-        self.first = Some(Box::new(FirstPlan::new(self.nodes, problem, &options, None)));
     }
 
-    /// The means have come to an end, perhaps with a plan.
-    fn end_first(&mut self, finding: Option<Finding>) {
-        let Some(first) = self.first.take() else { return };
+    fn begin_turn(&mut self) {
+        let mut options = left(&self.options, &self.stats());
+        let first = match std::mem::replace(&mut self.means, Means::Over) {
+            Means::Waiting(mut first) => {
+                first.go_on();
+                first
+            }
+            _ => {
+                if self.met.is_none() {
+                    options.limits.bytes /= SHARE_OF_MEMORY;
+                }
+                let problem = Arc::clone(&self.problem);
+                let mut first = FirstPlan::new(self.nodes, problem, &options, None);
+                if self.met.is_some() {
+                    first.go_on();
+                }
+                Box::new(first)
+            }
+        };
+        self.means = Means::AtWork(first);
+        self.work = self.work.saturating_mul(LONGER);
+    }
+
+    /// The means have come to the end of a turn, or to their own, perhaps with a plan.
+    fn end_turn(&mut self, first: Box<FirstPlan>, end: Result<Option<Finding>, LimitReached>) {
+        self.means = match end {
+            Ok(None) if first.has_second_turn() && self.met.is_none() => {
+                self.means = Means::Waiting(first);
+                return;
+            }
+            Err(LimitReached::Memory { .. }) if self.met.is_none() => Means::HadTooLittle,
+            _ => Means::Over,
+        };
         let stats = first.stats();
         self.earlier.add_engine(&stats);
         self.optimiser.lower_limit(stats.expansions);
-        let Some(Finding { plan: Some(plan), witnesses, .. }) = finding else { return };
+        let Ok(Some(Finding { plan: Some(plan), witnesses, .. })) = end else { return };
         let limits = self.options.limits;
         let bounds = self.options.heeded_bounds();
         let witnesses = match witnesses.is_empty() {
@@ -120,27 +152,28 @@ impl BestPlan {
             self.optimiser.learn(achieved.counts, plan, witnesses);
         }
     }
+
+    fn advance_means(&mut self, mut first: Box<FirstPlan>) -> Advance {
+        match first.advance(1) {
+            Ok(Advance::Working) if !first.is_over() => self.means = Means::AtWork(first),
+            Ok(Advance::Working) => self.end_turn(first, Ok(None)),
+            Ok(Advance::Finished(finding)) if finding.plan.is_some() => {
+                self.end_turn(first, Ok(Some(finding)));
+            }
+            // Proved: there is no plan.
+            Ok(answer) => return answer,
+            Err(limit) => self.end_turn(first, Err(limit)),
+        }
+        Advance::Working
+    }
 }
 
 impl Engine for BestPlan {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
-        if let Some(first) = &mut self.first {
-            match first.advance(1) {
-                Ok(Advance::Working) if !first.is_over() => {}
-                Ok(Advance::Working) => self.end_first(None),
-                Ok(Advance::Finished(finding)) if finding.plan.is_some() => {
-                    self.end_first(Some(finding));
-                }
-                // Proved: there is no plan.
-                Ok(answer) => return Ok(answer),
-                Err(limit) => {
-                    if matches!(limit, LimitReached::Memory { .. }) {
-                        self.tried = Tried::WithTooLittle;
-                    }
-                    self.end_first(None);
-                }
-            }
-            return Ok(Advance::Working);
+        if matches!(self.means, Means::AtWork(_))
+            && let Means::AtWork(first) = std::mem::replace(&mut self.means, Means::Over)
+        {
+            return Ok(self.advance_means(first));
         }
         if let Some(limit) = self.met {
             return Err(limit);
@@ -152,16 +185,16 @@ impl Engine for BestPlan {
                     let limit = self.options.limits.expansions;
                     return Err(LimitReached::Expansions { limit });
                 }
-                Err(limit) if self.tried != Tried::Yes && !self.optimiser.has_plan() => {
+                Err(limit) if !matches!(self.means, Means::Over) && !self.optimiser.has_plan() => {
                     self.met = Some(limit);
                     self.optimiser.leave_off();
-                    self.begin_first();
+                    self.begin_turn();
                     break;
                 }
                 answer => return answer,
             }
-            if self.tried == Tried::No && self.optimiser.lacks_plan(self.work) {
-                self.begin_first();
+            if self.is_due() {
+                self.begin_turn();
                 break;
             }
         }
@@ -179,7 +212,7 @@ impl Engine for BestPlan {
     fn stats(&self) -> Stats {
         let mut stats = self.optimiser.stats();
         stats.add_engine(&self.earlier);
-        if let Some(first) = &self.first {
+        if let Means::Waiting(first) | Means::AtWork(first) = &self.means {
             stats.add_engine(&first.stats());
         }
         stats

@@ -17,7 +17,7 @@ pub(super) const GREEDY_NODES: u64 = 2_000;
 /// The values of states that the parallel walks may work out in their first turn: about a second.
 const WALK_EVALUATIONS: u64 = 50_000;
 
-/// By how much the second turn of either is longer.
+/// By how much the second turn of the walks is longer, and that of Algorithm 1 once more.
 const LONGER: u64 = 10;
 
 /// Algorithm 1 and the walks.
@@ -31,6 +31,8 @@ pub(super) struct FirstPlan {
     walks: Option<Box<ParallelWalks>>,
     /// The turns to come, the next one last.
     turns: Vec<Turn>,
+    /// The second ones.
+    longer: Vec<Turn>,
     /// Work of engines that were left.
     earlier: Stats,
 }
@@ -67,16 +69,13 @@ impl FirstPlan {
     ) -> Self {
         let suits_walks = suits_walks(&problem, options, horizon);
         let mut options = options.clone();
-        let mut turns = vec![Turn::Greedy(nodes)];
+        let (mut turns, mut longer) = (vec![Turn::Greedy(nodes)], Vec::new());
         if suits_walks {
             // Both are there at the same time.
             options.limits.bytes /= 2;
-            let longer = [
-                Turn::Walks(LONGER * WALK_EVALUATIONS),
-                Turn::Greedy(LONGER * LONGER * nodes),
-                Turn::Walks(WALK_EVALUATIONS),
-            ];
-            turns.splice(0..0, longer);
+            turns.insert(0, Turn::Walks(WALK_EVALUATIONS));
+            longer =
+                vec![Turn::Walks(LONGER * WALK_EVALUATIONS), Turn::Greedy(LONGER * LONGER * nodes)];
         }
         let greedy = algorithm1::engine(Arc::clone(&problem), &options, horizon, suits_walks);
         Self {
@@ -86,13 +85,24 @@ impl FirstPlan {
             greedy: Some(Box::new(greedy)),
             walks: None,
             turns,
+            longer,
             earlier: Stats::default(),
         }
     }
 
-    /// Whether both have had their share.
+    /// Whether both have had their turns.
     pub(super) fn is_over(&self) -> bool {
         self.turns.is_empty()
+    }
+
+    /// Gives both a second turn, once. Without walks there is none.
+    pub(super) fn go_on(&mut self) {
+        self.turns.splice(0..0, std::mem::take(&mut self.longer));
+    }
+
+    /// Whether there will be a second turn.
+    pub(super) fn has_second_turn(&self) -> bool {
+        !self.longer.is_empty()
     }
 
     /// Algorithm 1, where it can go on; its work does not count here any more then. Where there are walks it would end with a
@@ -136,7 +146,9 @@ impl FirstPlan {
                 // Their end proves nothing.
                 Err(_) => {
                     self.turns.pop();
-                    self.turns.retain(|turn| matches!(turn, Turn::Greedy(_)));
+                    for turns in [&mut self.turns, &mut self.longer] {
+                        turns.retain(|turn| matches!(turn, Turn::Greedy(_)));
+                    }
                     break;
                 }
                 answer => return answer,
@@ -147,7 +159,7 @@ impl FirstPlan {
 }
 
 impl Engine for FirstPlan {
-    /// Working without work once [both have had their share](Self::is_over).
+    /// Working without work once [both have had their turns](Self::is_over).
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         match self.turns.last() {
             None => Ok(Advance::Working),

@@ -4,10 +4,10 @@
 //! every state with every pair of beliefs. The portfolio gives it a number of nodes, and ends them where a belief outgrows
 //! its list. After that [parallel walks](super::parallel_walks) look for a plan without working beliefs of enemies out
 //! ([`first_plan`]). Then the [optimiser](super::optimiser) takes its turn, which ends with the first plan that keeps the
-//! bounds or with the proof that there is none. Where it meets a limit, Algorithm 1 goes on alone.
+//! bounds or with the proof that there is none; where it goes long without either, the others have a second and longer
+//! turn ([`best_plan`]). Where it meets a limit, Algorithm 1 goes on alone.
 //!
-//! For the best plan the order is the other way round ([`best_plan`]): the optimiser is given a first plan where it finds
-//! none.
+//! For the best plan the optimiser begins, and goes on from the first plan that the others give it.
 //!
 //! Source: Huberman, Lukose and Hogg 1997, "An economics approach to hard computational problems"
 //! (doi:10.1126/science.275.5296.51), on portfolios of algorithms.
@@ -47,7 +47,8 @@ pub(super) struct Portfolio {
 
 /// Which engine is at work.
 enum Stage {
-    First(Box<FirstPlan>),
+    /// Until the optimiser takes them over or they are left.
+    First(Option<Box<FirstPlan>>),
     /// The optimiser, and Algorithm 1 where it can go on.
     Optimiser(Box<dyn Engine>, Option<Box<dyn Engine>>),
     /// Algorithm 1 without an end.
@@ -67,7 +68,7 @@ impl Portfolio {
         horizon: Option<usize>,
     ) -> Self {
         let first = FirstPlan::new(nodes, Arc::clone(&problem), options, horizon);
-        let stage = Stage::First(Box::new(first));
+        let stage = Stage::First(Some(Box::new(first)));
         let (options, alone) = (options.clone(), options.clone());
         Self { problem, options, horizon, alone, stage, earlier: Stats::default() }
     }
@@ -76,19 +77,21 @@ impl Portfolio {
     fn after_first(&mut self) {
         let options = left(&self.options, &self.stats());
         let problem = Arc::clone(&self.problem);
+        let Stage::First(first) = &mut self.stage else { return };
+        let Some(mut first) = first.take() else { return };
+        let kept = first.take_greedy();
         let engine: Box<dyn Engine> = if options.cost_limit.is_some() {
             let lengths = self.horizon.map_or(Lengths::Any, Lengths::Exactly);
             Box::new(CostBounded::new(problem, &options, lengths))
+        } else if first.has_second_turn() {
+            self.stage =
+                Stage::Optimiser(Box::new(BestPlan::after(first, problem, &options)), None);
+            return;
         } else {
             Box::new(Optimiser::new(problem, &options, self.horizon))
         };
-        let before = std::mem::replace(&mut self.stage, Stage::Optimiser(engine, None));
-        let Stage::First(mut first) = before else { return };
-        let kept = first.take_greedy();
         self.leave(first.as_ref());
-        if let Stage::Optimiser(_, greedy) = &mut self.stage {
-            *greedy = kept;
-        }
+        self.stage = Stage::Optimiser(engine, kept);
     }
 
     /// The optimiser has met a limit: short of memory, Algorithm 1 may need less.
@@ -130,8 +133,8 @@ impl Engine for Portfolio {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         match &mut self.stage {
             Stage::GreedyAlone(greedy) => return greedy.advance(budget),
-            Stage::First(first) if first.is_over() => self.after_first(),
-            Stage::First(first) => return first.advance(budget),
+            Stage::First(Some(first)) if !first.is_over() => return first.advance(budget),
+            Stage::First(_) => self.after_first(),
             Stage::Optimiser(engine, _) => {
                 let mut progress = Progress::new(self.options.solver, self.horizon);
                 for _ in 0..budget {
@@ -155,24 +158,25 @@ impl Engine for Portfolio {
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
         match &mut self.stage {
-            Stage::First(first) => first.stop(limit),
+            Stage::First(Some(first)) => first.stop(limit),
             Stage::GreedyAlone(engine) => engine.stop(limit),
-            Stage::Optimiser(..) => Finding::stopped(None, limit),
+            Stage::First(None) | Stage::Optimiser(..) => Finding::stopped(None, limit),
         }
     }
 
     fn report(&self, progress: &mut Progress) {
         match &self.stage {
-            Stage::First(first) => first.report(progress),
+            Stage::First(Some(first)) => first.report(progress),
             Stage::GreedyAlone(engine) => engine.report(progress),
-            Stage::Optimiser(..) => {}
+            Stage::First(None) | Stage::Optimiser(..) => {}
         }
     }
 
     fn stats(&self) -> Stats {
         let mut stats = self.earlier;
         match &self.stage {
-            Stage::First(first) => stats.add_engine(&first.stats()),
+            Stage::First(Some(first)) => stats.add_engine(&first.stats()),
+            Stage::First(None) => {}
             Stage::GreedyAlone(engine) => stats.add_engine(&engine.stats()),
             Stage::Optimiser(engine, greedy) => {
                 stats.add_engine(&engine.stats());

@@ -111,7 +111,9 @@ fn best(mut engine: BestPlan, budget: u64) -> (Finding, bool) {
     for _ in 0..1_000_000 {
         let before = engine.has_plan();
         match engine.advance(budget) {
-            Ok(Advance::Working) => learned |= !before && engine.learns(),
+            Ok(Advance::Working) => {
+                learned |= !before && engine.has_plan() && engine.stats().belief_size > 0
+            }
             Ok(Advance::Finished(finding)) => return (finding, learned),
             Err(limit) => return (engine.stop(limit), learned),
         }
