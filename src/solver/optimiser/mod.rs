@@ -144,7 +144,10 @@ impl Optimiser {
 
     /// Whether none was found with so much work: expansions and believed states gone through.
     pub(in crate::solver) fn lacks_plan(&self, after_work: u64) -> bool {
-        let spent = |work: &Work| self.expansions + work.space.touched;
+        let spent = |work: &Work| {
+            let sampled = work.sampled.as_deref().map_or(0, |(space, ..)| space.touched);
+            self.expansions + work.space.touched + sampled
+        };
         !self.has_plan() && self.work.as_deref().map_or(0, spent) >= after_work
     }
 

@@ -20,8 +20,10 @@ use crate::solver::parallel_walks;
 use crate::trace::validate_within;
 
 /// Believed states gone through and nodes expanded by the optimiser without a plan, after which one is looked for elsewhere:
-/// about half a second. After [`LONGER`] times as many the means have their second turn.
+/// about half a second. After [`LONGER`] times as many the means have their next round.
 const WORK_WITHOUT_PLAN: u64 = 3_000_000;
+/// The same where the means began.
+const WORK_AFTER_MEANS: u64 = 300_000;
 const LONGER: u64 = 10;
 
 /// Of the memory limit the part that looking for a first plan may take beside the optimiser: one of so many.
@@ -32,7 +34,7 @@ pub(in crate::solver) struct BestPlan {
     problem: Arc<Problem>,
     options: Options,
     optimiser: Optimiser,
-    /// How much work of the optimiser without a plan brings their next turn.
+    /// How much work of the optimiser without a plan brings their next round.
     work: u64,
     /// Nodes of the first turn of Algorithm 1.
     nodes: u64,
@@ -46,7 +48,7 @@ pub(in crate::solver) struct BestPlan {
 /// The means for a first plan.
 enum Means {
     Untried,
-    /// They have had their first turns.
+    /// They have had a round.
     Waiting(Box<FirstPlan>),
     AtWork(Box<FirstPlan>),
     /// They have run out of the memory that the optimiser left.
@@ -81,9 +83,10 @@ impl BestPlan {
         }
     }
 
-    /// After the first turns of the means for a first plan.
+    /// After the first round of the means for a first plan.
     pub(super) fn after(first: Box<FirstPlan>, problem: Arc<Problem>, options: &Options) -> Self {
-        Self { means: Means::Waiting(first), ..Self::new(problem, options) }
+        let engine = Self::with(WORK_AFTER_MEANS, GREEDY_NODES, problem, options, options);
+        Self { means: Means::Waiting(first), ..engine }
     }
 
     /// Whether there is a plan.
@@ -92,7 +95,7 @@ impl BestPlan {
         self.optimiser.has_plan()
     }
 
-    /// Whether the next turn of the means is due.
+    /// Whether the next round of the means is due.
     fn is_due(&self) -> bool {
         match self.means {
             Means::Untried => {
@@ -103,7 +106,7 @@ impl BestPlan {
         }
     }
 
-    fn begin_turn(&mut self) {
+    fn begin_round(&mut self) {
         let mut options = left(&self.options, &self.stats());
         let first = match std::mem::replace(&mut self.means, Means::Over) {
             Means::Waiting(mut first) => {
@@ -116,9 +119,7 @@ impl BestPlan {
                 }
                 let problem = Arc::clone(&self.problem);
                 let mut first = FirstPlan::new(self.nodes, problem, &options, None);
-                if self.met.is_some() {
-                    first.go_on();
-                }
+                first.go_on();
                 Box::new(first)
             }
         };
@@ -126,10 +127,10 @@ impl BestPlan {
         self.work = self.work.saturating_mul(LONGER);
     }
 
-    /// The means have come to the end of a turn, or to their own, perhaps with a plan.
-    fn end_turn(&mut self, first: Box<FirstPlan>, end: Result<Option<Finding>, LimitReached>) {
+    /// The means have come to the end of a round, or to their own, perhaps with a plan.
+    fn end_round(&mut self, first: Box<FirstPlan>, end: Result<Option<Finding>, LimitReached>) {
         self.means = match end {
-            Ok(None) if first.has_second_turn() && self.met.is_none() => {
+            Ok(None) if first.has_another_round() && self.met.is_none() => {
                 self.means = Means::Waiting(first);
                 return;
             }
@@ -156,13 +157,13 @@ impl BestPlan {
     fn advance_means(&mut self, mut first: Box<FirstPlan>) -> Advance {
         match first.advance(1) {
             Ok(Advance::Working) if !first.is_over() => self.means = Means::AtWork(first),
-            Ok(Advance::Working) => self.end_turn(first, Ok(None)),
+            Ok(Advance::Working) => self.end_round(first, Ok(None)),
             Ok(Advance::Finished(finding)) if finding.plan.is_some() => {
-                self.end_turn(first, Ok(Some(finding)));
+                self.end_round(first, Ok(Some(finding)));
             }
             // Proved: there is no plan.
             Ok(answer) => return answer,
-            Err(limit) => self.end_turn(first, Err(limit)),
+            Err(limit) => self.end_round(first, Err(limit)),
         }
         Advance::Working
     }
@@ -188,13 +189,13 @@ impl Engine for BestPlan {
                 Err(limit) if !matches!(self.means, Means::Over) && !self.optimiser.has_plan() => {
                     self.met = Some(limit);
                     self.optimiser.leave_off();
-                    self.begin_turn();
+                    self.begin_round();
                     break;
                 }
                 answer => return answer,
             }
             if self.is_due() {
-                self.begin_turn();
+                self.begin_round();
                 break;
             }
         }

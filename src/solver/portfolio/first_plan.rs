@@ -14,11 +14,12 @@ use crate::solver::{Options, algorithm1};
 /// as many nodes.
 pub(super) const GREEDY_NODES: u64 = 2_000;
 
-/// The values of states that the parallel walks may work out in their first turn: about a second.
+/// The values of states that the parallel walks may work out in their first turn: some tenths of a second.
 const WALK_EVALUATIONS: u64 = 50_000;
 
-/// By how much the second turn of the walks is longer, and that of Algorithm 1 once more.
-const LONGER: u64 = 10;
+/// What Algorithm 1 may generate in later rounds, and by how much the turns of the walks are longer then: together some
+/// seconds in the second round, a minute in the third.
+const LONGER: [(u64, u64); 2] = [(100_000, 8), (2_000_000, 80)];
 
 /// Algorithm 1 and the walks.
 pub(super) struct FirstPlan {
@@ -29,10 +30,12 @@ pub(super) struct FirstPlan {
     /// None where it has come to its end. Where there are walks it ends with the first belief that outgrows its list.
     greedy: Option<Box<dyn Engine>>,
     walks: Option<Box<ParallelWalks>>,
+    /// Whether these have come to their end.
+    walks_over: bool,
     /// The turns to come, the next one last.
     turns: Vec<Turn>,
-    /// The second ones.
-    longer: Vec<Turn>,
+    /// The rounds after them, the next one last.
+    rounds: Vec<[Turn; 2]>,
     /// Work of engines that were left.
     earlier: Stats,
 }
@@ -40,8 +43,10 @@ pub(super) struct FirstPlan {
 /// Whose turn it is, and how much is left of it.
 #[derive(Debug, Clone, Copy)]
 enum Turn {
-    /// Nodes.
+    /// Nodes taken from the open list.
     Greedy(u64),
+    /// Until so many nodes have been generated: each has a value worked out, and there may be many for one that is taken.
+    GreedyUntil(u64),
     /// Until so many values have been worked out.
     Walks(u64),
 }
@@ -69,13 +74,15 @@ impl FirstPlan {
     ) -> Self {
         let suits_walks = suits_walks(&problem, options, horizon);
         let mut options = options.clone();
-        let (mut turns, mut longer) = (vec![Turn::Greedy(nodes)], Vec::new());
+        let (mut turns, mut rounds) = (vec![Turn::Greedy(nodes)], Vec::new());
         if suits_walks {
             // Both are there at the same time.
             options.limits.bytes /= 2;
             turns.insert(0, Turn::Walks(WALK_EVALUATIONS));
-            longer =
-                vec![Turn::Walks(LONGER * WALK_EVALUATIONS), Turn::Greedy(LONGER * LONGER * nodes)];
+            let round = |(generated, walks): &(u64, u64)| {
+                [Turn::Walks(walks * WALK_EVALUATIONS), Turn::GreedyUntil(*generated)]
+            };
+            rounds = LONGER.iter().rev().map(round).collect();
         }
         let greedy = algorithm1::engine(Arc::clone(&problem), &options, horizon, suits_walks);
         Self {
@@ -84,8 +91,9 @@ impl FirstPlan {
             suits_walks,
             greedy: Some(Box::new(greedy)),
             walks: None,
+            walks_over: false,
             turns,
-            longer,
+            rounds,
             earlier: Stats::default(),
         }
     }
@@ -95,14 +103,16 @@ impl FirstPlan {
         self.turns.is_empty()
     }
 
-    /// Gives both a second turn, once. Without walks there is none.
-    pub(super) fn go_on(&mut self) {
-        self.turns.splice(0..0, std::mem::take(&mut self.longer));
+    /// Whether there is another round.
+    pub(super) fn has_another_round(&self) -> bool {
+        !self.rounds.is_empty()
     }
 
-    /// Whether there will be a second turn.
-    pub(super) fn has_second_turn(&self) -> bool {
-        !self.longer.is_empty()
+    /// Begins the next round, where there is one. Without walks there is none.
+    pub(super) fn go_on(&mut self) {
+        if let Some(round) = self.rounds.pop() {
+            self.turns.splice(0..0, round);
+        }
     }
 
     /// Algorithm 1, where it can go on; its work does not count here any more then. Where there are walks it would end with a
@@ -111,12 +121,20 @@ impl FirstPlan {
         self.greedy.take_if(|_| !self.suits_walks)
     }
 
-    fn advance_greedy(&mut self, budget: u64, left: u64) -> Result<Advance, LimitReached> {
+    fn advance_greedy(&mut self, budget: u64, turn: Turn) -> Result<Advance, LimitReached> {
         self.turns.pop();
-        let Some(greedy) = self.greedy.as_mut().filter(|_| left > 0) else {
-            return Ok(Advance::Working);
+        let Some(greedy) = &mut self.greedy else { return Ok(Advance::Working) };
+        let (budget, next) = match turn {
+            Turn::Greedy(left) => (budget.min(left), Turn::Greedy(left - budget.min(left))),
+            _ => (budget.min(1), turn),
         };
-        let budget = budget.min(left);
+        let over = match turn {
+            Turn::GreedyUntil(generated) => greedy.stats().generated >= generated,
+            _ => budget == 0,
+        };
+        if over {
+            return Ok(Advance::Working);
+        }
         match greedy.advance(budget) {
             Err(LimitReached::Listed { .. }) => {
                 self.earlier.add_engine(&greedy.stats());
@@ -124,13 +142,17 @@ impl FirstPlan {
                 Ok(Advance::Working)
             }
             answer => {
-                self.turns.push(Turn::Greedy(left - budget));
+                self.turns.push(next);
                 answer
             }
         }
     }
 
     fn advance_walks(&mut self, budget: u64, until: u64) -> Result<Advance, LimitReached> {
+        if self.walks_over {
+            self.turns.pop();
+            return Ok(Advance::Working);
+        }
         if self.walks.is_none() {
             let options = left(&self.options, &self.stats());
             self.walks = Some(Box::new(ParallelWalks::new(&self.problem, &options)));
@@ -146,9 +168,7 @@ impl FirstPlan {
                 // Their end proves nothing.
                 Err(_) => {
                     self.turns.pop();
-                    for turns in [&mut self.turns, &mut self.longer] {
-                        turns.retain(|turn| matches!(turn, Turn::Greedy(_)));
-                    }
+                    self.walks_over = true;
                     break;
                 }
                 answer => return answer,
@@ -163,20 +183,23 @@ impl Engine for FirstPlan {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         match self.turns.last() {
             None => Ok(Advance::Working),
-            Some(&Turn::Greedy(left)) => self.advance_greedy(budget, left),
+            Some(&turn @ (Turn::Greedy(_) | Turn::GreedyUntil(_))) => {
+                self.advance_greedy(budget, turn)
+            }
             Some(&Turn::Walks(until)) => self.advance_walks(budget, until),
         }
     }
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
         match (self.turns.last(), &mut self.greedy) {
-            (Some(Turn::Greedy(_)), Some(greedy)) => greedy.stop(limit),
+            (Some(Turn::Greedy(_) | Turn::GreedyUntil(_)), Some(greedy)) => greedy.stop(limit),
             _ => Finding::stopped(None, limit),
         }
     }
 
     fn report(&self, progress: &mut Progress) {
-        if let (Some(Turn::Greedy(_)), Some(greedy)) = (self.turns.last(), &self.greedy) {
+        let turn = self.turns.last();
+        if let (Some(Turn::Greedy(_) | Turn::GreedyUntil(_)), Some(greedy)) = (turn, &self.greedy) {
             greedy.report(progress);
         }
     }

@@ -4,8 +4,8 @@
 //! every state with every pair of beliefs. The portfolio gives it a number of nodes, and ends them where a belief outgrows
 //! its list. After that [parallel walks](super::parallel_walks) look for a plan without working beliefs of enemies out
 //! ([`first_plan`]). Then the [optimiser](super::optimiser) takes its turn, which ends with the first plan that keeps the
-//! bounds or with the proof that there is none; where it goes long without either, the others have a second and longer
-//! turn ([`best_plan`]). Where it meets a limit, Algorithm 1 goes on alone.
+//! bounds or with the proof that there is none; where it goes long without either, the others have another and longer
+//! round ([`best_plan`]). Where it meets a limit, Algorithm 1 goes on alone.
 //!
 //! For the best plan the optimiser begins, and goes on from the first plan that the others give it.
 //!
@@ -83,7 +83,7 @@ impl Portfolio {
         let engine: Box<dyn Engine> = if options.cost_limit.is_some() {
             let lengths = self.horizon.map_or(Lengths::Any, Lengths::Exactly);
             Box::new(CostBounded::new(problem, &options, lengths))
-        } else if first.has_second_turn() {
+        } else if first.has_another_round() {
             self.stage =
                 Stage::Optimiser(Box::new(BestPlan::after(first, problem, &options)), None);
             return;
