@@ -162,7 +162,10 @@ impl BestPlan {
                 self.end_round(first, Ok(Some(finding)));
             }
             // Proved: there is no plan.
-            Ok(answer) => return answer,
+            Ok(answer) => {
+                self.earlier.add_engine(&first.stats());
+                return answer;
+            }
             Err(limit) => self.end_round(first, Err(limit)),
         }
         Advance::Working
