@@ -143,9 +143,10 @@ impl BestPlan {
         let Ok(Some(Finding { plan: Some(plan), witnesses, .. })) = end else { return };
         let limits = self.options.limits;
         let bounds = self.options.heeded_bounds();
-        let witnesses = match witnesses.is_empty() {
-            true => parallel_walks::beside(&self.problem, &plan, limits),
-            false => witnesses,
+        let witnesses = if witnesses.is_empty() {
+            parallel_walks::beside(&self.problem, &plan, limits)
+        } else {
+            witnesses
         };
         if let Ok(achieved) = validate_within(&self.problem, &plan, &witnesses, limits)
             && bounds.allow(achieved.counts, &achieved.survivors)

@@ -112,7 +112,7 @@ fn best(mut engine: BestPlan, budget: u64) -> (Finding, bool) {
         let before = engine.has_plan();
         match engine.advance(budget) {
             Ok(Advance::Working) => {
-                learned |= !before && engine.has_plan() && engine.stats().belief_size > 0
+                learned |= !before && engine.has_plan() && engine.stats().belief_size > 0;
             }
             Ok(Advance::Finished(finding)) => return (finding, learned),
             Err(limit) => return (engine.stop(limit), learned),
