@@ -58,7 +58,7 @@ pub enum ExerciseError {
     Document(#[from] DocumentError),
     /// Nothing that was drawn for a seed is as hard as the original and no more trivial.
     #[error(
-        "seed {seed}: none of {tries} variants drawn has an answer and the difficulty of the original"
+        "seed {seed}: none of {tries} variants drawn has an answer and the difficulty of the original; whoever set the exercise can give another name or seed"
     )]
     NoVariant {
         /// The seed.
@@ -222,7 +222,7 @@ impl Exercise {
     ///
     /// # Errors
     ///
-    /// [`DocumentError`] at `exercise.vary`, where most of the seeds have no variant.
+    /// [`DocumentError`] at `exercise.vary`, where a seed that was drawn has no variant.
     pub fn sample(&self) -> Result<Option<VariantSample>, DocumentError> {
         if self.block.vary.is_empty() {
             return Ok(None);
