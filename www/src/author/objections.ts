@@ -55,9 +55,9 @@ function faultWords({ message, path, found, expected }: NonNullable<Objection["f
   const trivial = /^a question of which (.+)$/.exec(found)?.[1];
   if (trivial !== undefined)
     return `A trivial question cannot be other for each student: ${trivial}. Make it harder, or let nothing be other.`;
-  const drawn = /, where (.+ seeds drawn .+)$/.exec(found)?.[1];
+  const drawn = /, where (.+ seeds? drawn .+)$/.exec(found)?.[1];
   if (drawn !== undefined)
-    return `Most students would get no question: ${drawn}. Let something else be other for each student, or nothing.`;
+    return `Some students would get no question: ${drawn}. Let something else be other for each student, or nothing.`;
   if (key === undefined) return reasonWords(found);
   if (key === "goal_difference" && found === "nothing")
     return "Say which goal difference the walk must have at least, or how many steps at most.";
