@@ -165,3 +165,52 @@ test("no link takes the place of a question that the page asks, and one of its o
     assert.equal(await said.count(), 0);
   });
 });
+
+test("while the question of the page is on its way, no file takes its place", async () => {
+  const at = await course('<mo-copp-playground src="goals.json" seed="7" link="off" name="q"></mo-copp-playground>');
+  await visit(async ({ page }) => {
+    let come = () => {};
+    const held = new Promise<void>((resolve) => {
+      come = resolve;
+    });
+    await page.route("**/goals.json", async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.goto(at);
+    await page.locator("mo-copp-playground[data-status]").waitFor();
+    await hear(page);
+    await drop(page, "mo-copp-playground", { files: [{ name: "mine.json", text: exerciseText(other) }] });
+    await page.getByText("still being opened: no file takes its place").first().waitFor();
+    assert.equal(await page.locator(".exercise[data-kind=guess]").count(), 0);
+    come();
+    await page.locator('.exercise[data-seed="7"][data-kind="possible-goals"]').waitFor();
+    await answer(page, seven.choices);
+    assert.equal((await heardOn(page)).length, 2);
+    assert.equal(await sent(page), await page.getByLabel("Answer code").inputValue());
+  });
+});
+
+for (const link of [false, true])
+  test(`where the question of the page is missing, one that ${link ? "a link" : "a file"} brings does not count`, async () => {
+    const at = await course(
+      `<mo-copp-playground src="lacking.json" seed="7" ${link ? "" : 'link="off"'} name="q"></mo-copp-playground>`,
+    );
+    const state = { document: exerciseText(asked), form: {}, step: 0, tab: "", mode: "plan" };
+    await visit(
+      async ({ page }) => {
+        await page.goto(link ? `${at}#${await pack(JSON.stringify(state))}` : at);
+        if (!link) {
+          await page.getByText("lacking.json").first().waitFor();
+          await drop(page, "mo-copp-playground", { files: [{ name: "mine.json", text: exerciseText(asked) }] });
+        }
+        await page.locator('.exercise[data-seed="7"]').waitFor();
+        await hear(page);
+        await answer(page, seven.choices);
+        await page.getByLabel("Answer code").waitFor();
+        assert.deepEqual(await heardOn(page), []);
+        assert.equal(await sent(page), null);
+      },
+      { quiet: false },
+    );
+  });

@@ -10,6 +10,10 @@ import { fetched } from "./fetched.js";
 import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
 
+/** The document in the element itself: `<script type="application/json">`. */
+export const inline = (host: Element): string | null =>
+  host.querySelector(":scope > script[type='application/json']")?.textContent ?? null;
+
 /** The parts that can be left out, by `hide`. */
 export const parts = [
   "gallery",
@@ -121,6 +125,8 @@ interface Settling {
   wanted: () => boolean;
   /** Asks for them once more. */
   again: () => void;
+  /** Told of the text of the document before it is opened. */
+  read: (text: string) => void;
 }
 
 /**
@@ -174,16 +180,18 @@ async function openProblem(
   { src, problem }: Settings,
   fallback: string,
   at: "first" | "end",
-  { wanted, again }: Settling,
+  { wanted, again, read }: Settling,
 ): Promise<boolean> {
   const { gallery } = playground;
   if (src !== null) {
     const { text, fault, mayCome } = await fetched(src);
     if (!wanted()) return false;
+    if (text !== undefined) read(text);
     if (text !== undefined) return openFetched(playground, src, text, at, wanted);
     playground.solving.refuse(fault, mayCome ? again : null);
     return false;
   }
+  if (problem === null) read(fallback);
   if (problem === null) return playground.edits.open(fallback, {}, "exact", at);
   if (!gallery.documents.value.has(problem)) await gallery.load();
   return wanted() && gallery.open(problem, at);

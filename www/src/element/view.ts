@@ -43,6 +43,7 @@ import {
   documentOf,
   goToStep,
   hiddenParts,
+  inline,
   isOwnPage,
   keyReachOf,
   leavesSeed,
@@ -212,6 +213,7 @@ export class View {
     if (this.pending !== pending) return;
     this.pending = nothingGiven;
     if (opened) this.question.take();
+    else this.question.miss();
     if (!opened && this.given === document) this.given = before;
     const { again } = this.playground.answer;
     if (!opened && again.value !== null) again.value = () => void this.give(pending, document, open);
@@ -283,13 +285,19 @@ export class View {
     this.followed += 1;
     const now = this.followed;
     this.followQuestion();
+    this.question.begin();
     const wanted = () => now === this.followed;
     const asked = settingsOf(this.host);
     const settings = this.given === null ? asked : { ...asked, src: null, problem: null };
     const document = this.given ?? inline(this.host) ?? exampleDocument;
     const again = () => void this.settle(at);
-    const settled = await settle(this.playground, settings, document, at, { wanted, again });
+    const settled = await settle(this.playground, settings, document, at, {
+      wanted,
+      again,
+      read: (text) => this.question.read(text),
+    });
     if (wanted() && settled) this.question.take();
+    else if (wanted()) this.question.miss();
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
     if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners, "seed", "loading"]));
@@ -336,10 +344,14 @@ export class View {
     if (!this.sharing.value || location.hash === "") return null;
     const { host, playground } = this;
     const asks = host.hasAttribute("src") || host.hasAttribute("exercise");
-    const given = inline(host) ?? (asks ? await documentOf(playground, settingsOf(host)) : null);
+    const settings = settingsOf(host);
+    const begins = settings.src === null && settings.problem === null ? exampleDocument : null;
+    const given = inline(host) ?? (asks ? await documentOf(playground, settings) : null) ?? begins;
     if (this.followed > 0) return null;
     this.question.expect(given);
-    return this.address.read();
+    const opened = await this.address.read();
+    if (opened === true) this.question.arrive();
+    return opened;
   }
 
   /** What failed for want of a connection or of a solver is tried again by one click. */
@@ -428,10 +440,6 @@ export class View {
     this.notifier.notify();
   }
 }
-
-/** The document in the element itself: `<script type="application/json">`. */
-const inline = (host: Element): string | null =>
-  host.querySelector(":scope > script[type='application/json']")?.textContent ?? null;
 
 /** What a text of a script says; null where it is not JSON. */
 function parsed(text: string | null): unknown {
