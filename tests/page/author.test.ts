@@ -47,6 +47,11 @@ test("an exercise that is wrong stays in the form, with the core's word of why",
     await page.getByLabel("Goal difference of at least").fill("half");
     await press(page, "Copy a link");
     await page.getByText('"half" can’t be used; it takes a number from -1 to 1, or a fraction').waitFor();
+    // As it was typed, not as the number that it is.
+    await page.getByLabel("Goal difference of at least").fill("4/3");
+    await press(page, "Copy a link");
+    await page.getByText('"4/3" can’t be used; it takes a number from -1 to 1, or a fraction').waitFor();
+    assert.equal(await page.getByText("1.33").count(), 0, "no decimals of it");
     await page.getByLabel("Goal difference of at least").fill("-1");
     // What is only trivial is handed out when it is asked for again.
     await press(page, "Try it as a student");

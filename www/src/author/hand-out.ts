@@ -34,8 +34,11 @@ export function handOut(playground: AuthorPanelStores): TemplateResult {
 
 /** What was said of this exercise; of another step or problem it says nothing. */
 function objection(playground: AuthorPanelStores): string {
-  const said = playground.exerciseDraft.objection.value;
-  return said === null || said.text !== documentOf(playground) ? "" : objectionWords(said);
+  const { fields, objection } = playground.exerciseDraft;
+  const said = objection.value;
+  if (said === null || said.text !== documentOf(playground)) return "";
+  const { difference, atMost, attempts } = fields.value;
+  return objectionWords(said, { goal_difference: difference, at_most: atMost, attempts });
 }
 
 /** The document with its exercise; null while there is none. */

@@ -36,12 +36,12 @@ const reasons: readonly [RegExp, (...found: string[]) => string][] = [
 
 const again = "Press the button again to hand it out all the same.";
 
-export function objectionWords({
-  fault,
-  remarks,
-  variants,
-}: Pick<Objection, "fault" | "remarks" | "variants">): string {
-  if (fault !== null) return faultWords(fault);
+/** `typed`: what stands in fields for numbers, by the keys of the block. */
+export function objectionWords(
+  { fault, remarks, variants }: Pick<Objection, "fault" | "remarks" | "variants">,
+  typed: Readonly<Record<string, string | null>> = {},
+): string {
+  if (fault !== null) return faultWords(fault, typed);
   const said = [
     ...(remarks.length === 0 ? [] : [`This question is trivial: ${remarks.join("; ")}.`]),
     ...(variants.length === 0 ? [] : [`Of what is other for each student: ${variants.join("; ")}.`]),
@@ -49,7 +49,10 @@ export function objectionWords({
   return said.length === 0 ? "" : [...said, again].join(" ");
 }
 
-function faultWords({ message, path, found, expected }: NonNullable<Objection["fault"]>): string {
+function faultWords(
+  { message, path, found, expected }: NonNullable<Objection["fault"]>,
+  typed: Readonly<Record<string, string | null>>,
+): string {
   const [block, key] = /^exercise(?:\.(\w+))?/.exec(path ?? "") ?? [];
   if (block === undefined || found === undefined || expected === undefined) return message;
   const trivial = /^a question of which (.+)$/.exec(found)?.[1];
@@ -62,7 +65,10 @@ function faultWords({ message, path, found, expected }: NonNullable<Objection["f
   if (key === "goal_difference" && found === "nothing")
     return "Say which goal difference the walk must have at least, or how many steps at most.";
   const also = key === "goal_difference" ? ", or a fraction such as 2/3" : "";
-  return `${fields[key] ?? key}: ${found} can’t be used; it takes ${expected}${also}.`;
+  // The core was given a number: of a fraction, all its decimals.
+  const text = typed[key]?.trim();
+  const seen = text === undefined || text === "" || text === found ? found : JSON.stringify(text);
+  return `${fields[key] ?? key}: ${seen} can’t be used; it takes ${expected}${also}.`;
 }
 
 function reasonWords(found: string): string {
