@@ -31,6 +31,23 @@ test("an exercise is made of the steps shown, tried, and edited again", () =>
     await page.getByText("about the 2 steps").waitFor();
   }));
 
+test("what is tried is not in the address: a reload leads back to the editing", () =>
+  opened({ document: grid(), tab: "Exercise" }, async (page) => {
+    await page.getByLabel("Kind of question").selectOption("best");
+    await page.getByLabel("Title").fill("Mine");
+    await press(page, "Try it as a student");
+    await page.getByText("This question is trivial").waitFor();
+    await press(page, "Try it as a student");
+    await page.getByRole("heading", { name: "Mine" }).waitFor();
+    await page.waitForFunction(() => location.hash !== "");
+    // Longer than the address waits for the next change.
+    await page.waitForTimeout(600);
+    await page.reload();
+    await page.locator("[data-board=actor]").waitFor();
+    assert.equal(await page.getByLabel("Title").inputValue(), "Mine");
+    assert.equal(await page.locator(".exercise").count(), 0, "no exercise is open");
+  }));
+
 test("an exercise that is wrong stays in the form, with the core's word of why", () =>
   opened({ document: grid(), tab: "Exercise" }, async (page) => {
     await page.getByLabel("Attempts (empty: any number)").fill("many");

@@ -73,7 +73,7 @@ function attempt(playground: AuthorPanelStores): Promise<void> {
       exercise.close();
       if (before !== null) void restore(playground, before);
     };
-    draft.tried.value = { text, back };
+    draft.tried.value = { text, before: before === null ? null : JSON.stringify(before), back };
     if (!(await edits.open(text))) draft.tried.value = null;
   });
 }

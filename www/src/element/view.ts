@@ -17,7 +17,7 @@ import { DropTarget, dropSign } from "../share/drop.js";
 import { LinkError } from "../share/packed.js";
 import { pictureButton } from "../share/picture-button.js";
 import { restore } from "../share/restore.js";
-import { readState, type SharedState, stateOf } from "../share/shared-state.js";
+import { keptState, readState, type SharedState } from "../share/shared-state.js";
 import { Announcer, announcement } from "../stage/announcement.js";
 import { goalList } from "../stage/goal-list.js";
 import { legend } from "../stage/legend.js";
@@ -182,7 +182,7 @@ export class View {
   }
 
   get state(): SharedState | null {
-    return (parsed(this.pending.state) as SharedState | null) ?? stateOf(this.playground);
+    return (parsed(this.pending.state) ?? parsed(keptState(this.playground))) as SharedState | null;
   }
 
   /** What was asked for before comes to nothing. */

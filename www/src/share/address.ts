@@ -6,9 +6,9 @@ import { pressed } from "../view/pressed.js";
 import { isOwn, leadsSomewhere } from "./fragment.js";
 import { LinkError, LONGEST_LINK, MOST_TEXT, pack, unpack } from "./packed.js";
 import { type RestoreStores, restore } from "./restore.js";
-import { readState, type SharedState, stateOf } from "./shared-state.js";
+import { keptState, readState, type SharedState, type TriedStores } from "./shared-state.js";
 
-export interface AddressStores extends RestoreStores {
+export interface AddressStores extends RestoreStores, TriedStores {
   solving: Solving;
 }
 
@@ -105,8 +105,7 @@ export class Address {
   }
 
   private wanted(): string | null {
-    const state = stateOf(this.playground);
-    return state === null ? null : JSON.stringify(state);
+    return keptState(this.playground);
   }
 
   private async write(): Promise<void> {

@@ -6,6 +6,7 @@ import type { Answer } from "../state/answer.js";
 import type { Boards, Mode } from "../state/boards.js";
 import { type Comparison, initialPatience, patiences } from "../state/comparison.js";
 import type { Exercise } from "../state/exercise.js";
+import type { ExerciseDraft } from "../state/exercise-draft.js";
 import { emptyForm, type Form, optionsOf, solverNames } from "../state/form.js";
 import type { Guess } from "../state/guess.js";
 import { type KeptAnswer, readAnswer } from "../state/kept-answer.js";
@@ -51,6 +52,10 @@ export interface SharedState {
   patience?: number;
 }
 
+export interface TriedStores {
+  exerciseDraft: Pick<ExerciseDraft, "tried">;
+}
+
 /** The core takes no longer plans. */
 const LONGEST_PLAN = 10_000;
 const LONGEST_TITLE = 120;
@@ -83,6 +88,17 @@ export function stateOf(playground: SharedStores): SharedState | null {
     ...(document.question === undefined ? {} : { question: document.question }),
     ...(patience === initialPatience ? {} : { patience: Number.isFinite(patience) ? patience : 0 }),
   };
+}
+
+/** The state to come back to, as text: while an exercise is tried by its author, that of the editing. */
+export function keptState(playground: SharedStores & TriedStores): string | null {
+  const state = stateOf(playground);
+  const tried = playground.exerciseDraft.tried.value;
+  if (state === null || tried === null) return state === null ? null : JSON.stringify(state);
+  if (playground.exercise.posed.value?.text === tried.text) return tried.before;
+  // Its problem without the question is no way to one that counts.
+  const { question, ...problem } = state;
+  return JSON.stringify(question?.document === tried.text ? problem : state);
 }
 
 /** After a guess the steps are those of the goal that was drawn for it: so is the document of the link. */

@@ -80,8 +80,8 @@ export class ExerciseDraft {
   readonly shown = signal("");
   /** Why nothing was handed out. What is only trivial is handed out when it is asked for again. */
   readonly objection = signal<Objection | null>(null);
-  /** The text of the exercise that is being tried, and how to go back to what was being edited. */
-  readonly tried = signal<{ text: string; back: () => void } | null>(null);
+  /** The text of the exercise that is being tried, the state of what was being edited, and how to go back to it. */
+  readonly tried = signal<{ text: string; before: string | null; back: () => void } | null>(null);
 
   private readonly kept: KeptDraft;
   /** Whether what was kept was looked for: there is a document that it may belong to. */
