@@ -65,6 +65,9 @@ for (const [way, element] of [
         });
         await page.getByRole("alert").and(page.locator(":has-text('no file takes its place')")).first().waitFor();
         assert.equal(await question.count(), 1);
+        assert.equal(await page.locator("mo-copp-playground[data-status=error]").count(), 0, "the question is whole");
+        await press(page, "Close the message");
+        assert.equal(await page.getByRole("alert").getByText("no file takes its place").count(), 0, "it is closed");
       }
       await answer(page, seven.choices);
       assert.equal(await sent(page), await page.getByLabel("Answer code").inputValue());

@@ -65,7 +65,7 @@ export class DropTarget {
     event.preventDefault();
     const refused = this.refusal();
     if (refused === null) void this.take(dataTransfer);
-    else this.playground.solving.refuse(refused);
+    else this.playground.solving.remark(refused);
   };
 
   private readonly listeners: readonly [string, (event: Event) => void][] = [

@@ -75,10 +75,16 @@ export class Answer {
     });
   }
 
+  /** Says why something was not done; what is open and under way goes on. */
+  remark(message: string): void {
+    this.again.value = null;
+    this.error.value = message;
+  }
+
   /** The person has read what went wrong: what is shown is the last answer again. */
   dismiss(): void {
-    if (this.status.value !== "error") return;
     this.error.value = null;
+    if (this.status.value !== "error") return;
     this.status.value = this.result.value?.outcome.status ?? "idle";
   }
 

@@ -124,6 +124,11 @@ export class Solving {
     this.answer.fail({ kind: "refused", message }, again);
   }
 
+  /** Says why something was not done; what is open and under way goes on. */
+  remark(message: string): void {
+    this.answer.remark(message);
+  }
+
   dispose(): void {
     this.live.clear();
     this.runner.dispose();
