@@ -628,3 +628,17 @@ test("a poster leaves no gap, is there while nothing else is, and goes with an e
     },
     { quiet: false },
   ));
+
+test("a base of the page leaves its address the page's own", () =>
+  visit(async ({ page }) => {
+    for (const base of ["/docs/", "https://elsewhere.example/"]) {
+      await lesson(
+        page,
+        `<script>history.replaceState(null, "", "?x=1")</script><base href="${base}">
+          <mo-copp-playground id="one" problem="corridor"></mo-copp-playground>`,
+      );
+      await ready(page);
+      await page.waitForFunction("location.hash.length > 1");
+      assert.equal(page.url().replace(/#.*$/s, ""), `${address}lesson/guest.html?x=1`);
+    }
+  }));

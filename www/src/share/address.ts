@@ -85,7 +85,7 @@ export class Address {
   present(): string | null {
     const fragment = this.packed;
     if (fragment === null || this.text !== this.wanted()) return null;
-    return `${location.href.replace(/#.*$/s, "")}#${fragment}`;
+    return `${withoutFragment()}#${fragment}`;
   }
 
   private readonly follow = () => {
@@ -117,7 +117,8 @@ export class Address {
     if (this.guest && present !== "" && this.isForeign(present)) return;
     try {
       // A problem that is too large for a link has none: an old one would be wrong.
-      history.replaceState(history.state, "", fragment === null ? location.pathname + location.search : `#${fragment}`);
+      const address = withoutFragment();
+      history.replaceState(history.state, "", fragment === null ? address : `${address}#${fragment}`);
     } catch {
       // A page inside another may not be allowed to; the link can be copied all the same.
     }
@@ -137,3 +138,6 @@ export class Address {
     this.packed = packed === null || packed.length > LONGEST_LINK ? null : packed;
   }
 }
+
+/** The whole address of this page: a relative one would be resolved against a `<base>` that may be another page's. */
+const withoutFragment = (): string => location.href.replace(/#.*$/s, "");
