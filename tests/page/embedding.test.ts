@@ -110,6 +110,43 @@ test("settings that can't be used are said, and the problem is shown", () =>
     assert(!text.includes("hide"), text);
   }));
 
+test("a message about an attribute goes once the attribute is right, and no other message does", () =>
+  visit(
+    async ({ page }) => {
+      await course(page, `<mo-copp-playground id="one" problem="corridor" link="off"></mo-copp-playground>`);
+      await ready(page, "#one");
+      const one = page.locator("#one");
+      const set = (name: string, value: string) =>
+        one.evaluate((element, [name, value]) => element.setAttribute(name, value), [name, value] as const);
+      const alert = one.getByRole("alert").first();
+      const wrong = { theme: "pink", step: "abc", keys: "some", hide: "tols" };
+      const right = { theme: "dark", step: "2", keys: "focus", hide: "" };
+      for (const [name, value] of Object.entries(wrong)) await set(name, value);
+      for (const value of Object.values(wrong)) await alert.getByText(`“${value}” can’t be used`).waitFor();
+      for (const [name, value] of Object.entries(right)) {
+        assert.equal(await one.getAttribute("data-status"), "error");
+        await set(name, value);
+        await alert.getByText(`can’t be used for the attribute ${name}`).waitFor({ state: "detached" });
+      }
+      await ready(page, "#one", '[data-step="2"]');
+      // Without the attribute there is nothing wrong either.
+      await set("theme", "pink");
+      await alert.getByText("“pink” can’t be used").waitFor();
+      await one.evaluate((element) => element.removeAttribute("theme"));
+      await ready(page, "#one");
+      await set("src", "missing.json");
+      await alert.getByText("“missing.json” could not be loaded").waitFor();
+      await set("theme", "pink");
+      await alert.getByText("“pink” can’t be used").waitFor();
+      await set("theme", "light");
+      await alert.getByText("“pink” can’t be used").waitFor({ state: "detached" });
+      await alert.getByText("“missing.json” could not be loaded").waitFor();
+      assert.equal(await one.getAttribute("data-status"), "error");
+    },
+    // The missing file is an error on the console, too.
+    { quiet: false },
+  ));
+
 test("attributes that change together are followed together, and the last ones win", () =>
   visit(async ({ page }) => {
     await course(

@@ -326,6 +326,44 @@ test("a document in the element, properties and promises", () =>
     await page.locator('#one [data-board=actor] [data-cell="5,0"]').waitFor({ state: "attached" });
   }));
 
+test("methods wait for what was asked for before them", () =>
+  visit(async ({ page }) => {
+    await page.route("**/never.json", () => undefined);
+    await lesson(page, one);
+    await ready(page);
+    const told = await page.locator("#one").evaluate(
+      async (element, wide) => {
+        const playground = element as MoCoppPlayground;
+        const pictures = { corridor: await playground.toSVG() } as Record<string, string>;
+        const { state } = playground;
+        Object.assign(playground, { plan: "east,east,west" });
+        await playground.goTo(1);
+        const step = playground.state?.step;
+        playground.document = wide;
+        pictures.document = await playground.toSVG();
+        Object.assign(playground, { plan: null, problem: "head-fake" });
+        pictures.problem = await playground.toSVG();
+        playground.state = state;
+        pictures.state = await playground.toSVG();
+        playground.document = wide;
+        const { status } = await playground.solve({ solver: "search" });
+        // What never comes holds nothing up once something else is asked for.
+        Object.assign(playground, { src: "never.json" });
+        const waits = playground.toSVG();
+        playground.document = wide;
+        pictures.waited = await waits;
+        return { pictures, step, status };
+      },
+      JSON.parse(grid({ width: 6 })),
+    );
+    const { corridor, document, problem, state, waited } = told.pictures;
+    assert.equal(told.step, 1);
+    assert.equal(new Set([corridor, document, problem]).size, 3, "three problems have three pictures");
+    assert.equal(state, corridor);
+    assert.equal(waited, document);
+    assert.equal(told.status, "solved");
+  }));
+
 test("prose wakes a playground that waits below, brings it into sight, and follows it from wherever it stands", () =>
   visit(async ({ page }) => {
     const far = one.replace("<mo-copp-playground", '<mo-copp-playground loading="lazy"');

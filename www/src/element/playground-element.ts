@@ -104,13 +104,16 @@ export abstract class PlaygroundElement extends Base {
     return (await this.#whenDrawn()).toSVG(options ?? {});
   }
 
+  /** What was set before is there. */
   async #whenDrawn(): Promise<View> {
     if (this.#view === null && !this.isConnected)
       throw new Error("The playground is not in the page yet: nothing is drawn before.");
     await this.show();
     if (this.#view === null) throw new Error("The playground could not be loaded.");
+    const view = this.#view;
     await this.#drawn;
-    return this.#view;
+    await view.settled();
+    return view;
   }
 
   /** Makes what the playground is drawn into. */

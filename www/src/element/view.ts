@@ -1,5 +1,5 @@
 // What an element shows: the whole playground, drawn into the element itself or into its shadow root.
-import { computed, signal } from "@preact/signals-core";
+import { computed, effect, signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import { toolbar } from "../edit/toolbar.js";
 import type { ExerciseViewStores } from "../exercise/exercise-view.js";
@@ -32,6 +32,7 @@ import { LazyPanel } from "../workbench/lazy-panel.js";
 import { type WorkbenchStores, workbench } from "../workbench/workbench.js";
 import { choosePlaces } from "../worker/places.js";
 import type { Answered } from "../worker/protocol.js";
+import { AttributeMessage } from "./attribute-message.js";
 import { Notifier } from "./events.js";
 import { keepInSight } from "./in-sight.js";
 import { linkAddressOf } from "./link-address.js";
@@ -47,7 +48,6 @@ import {
   isOwnPage,
   keyReachOf,
   leavesSeed,
-  mistakes,
   type Part,
   seedOf,
   settingNames,
@@ -57,6 +57,7 @@ import {
 import { changeOf, type ElementSolveOptions } from "./solve-options.js";
 import { pictureOptions, type SvgOptions } from "./svg-options.js";
 import { followScheme, schemeOf } from "./theme.js";
+import { UnderWay } from "./under-way.js";
 
 /** An exercise is drawn by code that other problems do without. */
 const exercise = new LazyPanel<ExerciseViewStores>(
@@ -65,6 +66,9 @@ const exercise = new LazyPanel<ExerciseViewStores>(
 
 /** Attributes that change how a playground looks and behaves, and not what is open in it. */
 const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link"]);
+
+/** Attributes that a message may be about. */
+const remarked: ReadonlySet<string> = new Set([...settingNames, ...manners, "seed", "loading"]);
 
 /** What a page's script asked for before there was a view; it goes before attributes and address. */
 export interface Wanted {
@@ -99,6 +103,10 @@ export class View {
   /** Rows that got narrower have moved what was in sight. */
   private readonly sizes = new ResizeObserver(() => followSymbols(this.root));
   private readonly notifier: Notifier;
+  private readonly message: AttributeMessage;
+  private readonly underWay = new UnderWay();
+  /** What was open when the work under way was begun. */
+  private openBefore: unknown = null;
   private readonly seen: (event: FocusEvent) => void;
   /** Whether the page's address is this playground's. */
   private readonly sharing = signal(false);
@@ -134,6 +142,7 @@ export class View {
       () => this.drawn(),
     );
     this.notifier = new Notifier(this.playground, host, this.question, told.keepCode);
+    this.message = new AttributeMessage(host, this.playground);
     this.tour = new Tour(root);
     this.onStage = { toured: { ...this.playground, tour: this.tour }, alone: { ...this.playground, tour: null } };
     // Where the page asks a question, a link opens no other.
@@ -157,7 +166,7 @@ export class View {
     this.sizes.observe(this.root);
     this.root.addEventListener("focusin", this.seen);
     this.picture.connect();
-    if (!this.begun) void this.begin();
+    if (!this.begun) void this.work(() => this.begin());
   }
 
   disconnect(): void {
@@ -203,7 +212,28 @@ export class View {
     });
   }
 
-  private async give(pending: Wanted, document: string | null, open: () => Promise<boolean>): Promise<void> {
+  /** Settles once what was asked for is there; of a problem that takes long to solve, once it is open. */
+  async settled(): Promise<void> {
+    const { answer, problem } = this.playground;
+    const open = () => problem.document.value !== this.openBefore && problem.document.value === problem.newest;
+    const ended = this.underWay.ended();
+    const stop = effect(() => {
+      if (open() && answer.slow.value && answer.status.value === "solving") this.underWay.release();
+    });
+    await ended;
+    stop();
+  }
+
+  private work(begin: () => Promise<void>): Promise<void> {
+    this.openBefore = this.playground.problem.document.value;
+    return this.underWay.begin(begin());
+  }
+
+  private give(pending: Wanted, document: string | null, open: () => Promise<boolean>): Promise<void> {
+    return this.work(() => this.take(pending, document, open));
+  }
+
+  private async take(pending: Wanted, document: string | null, open: () => Promise<boolean>): Promise<void> {
     this.followed += 1;
     this.followQuestion();
     const before = this.given;
@@ -272,7 +302,7 @@ export class View {
       return;
     }
     if (names.has("step")) goToStep(this.playground, settingsOf(this.host));
-    this.sayMistakes(names);
+    this.message.say(names, remarked);
   }
 
   /** `watch` invites to watch the first problem; where steps can't be walked through, their end is all there is to see. */
@@ -281,7 +311,11 @@ export class View {
     return watched ? "first" : "end";
   }
 
-  private async settle(at: "first" | "end" = "end"): Promise<void> {
+  private settle(at: "first" | "end" = "end"): Promise<void> {
+    return this.work(() => this.takeAttributes(at));
+  }
+
+  private async takeAttributes(at: "first" | "end"): Promise<void> {
     this.followed += 1;
     const now = this.followed;
     this.followQuestion();
@@ -300,7 +334,7 @@ export class View {
     else if (wanted()) this.question.miss();
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
-    if (wanted()) this.sayMistakes(new Set([...settingNames, ...manners, "seed", "loading"]));
+    if (wanted()) this.message.say(remarked, remarked);
   }
 
   /** What an exercise is asked with. */
@@ -310,21 +344,12 @@ export class View {
     this.playground.exercise.block = this.host.getAttribute("exercise");
   }
 
-  /** Beside what else could not be used. */
-  private sayMistakes(names: ReadonlySet<string>): void {
-    const found = mistakes(this.host, names, this.playground.problem.scene.value?.goals.length ?? null);
-    if (found.length === 0) return;
-    const said = this.playground.answer.error.peek();
-    const others = said === null || found.some((mistake) => said.includes(mistake)) ? [] : [said];
-    this.playground.solving.refuse([...others, ...found].join(" "), this.playground.answer.again.peek());
-  }
-
   /** The address goes before the attributes: a link that was followed holds what is wanted. */
   private async begin(): Promise<void> {
     this.begun = true;
     this.followQuestion();
     const { pending } = this;
-    if (pending.state !== null) return void this.openState(pending.state);
+    if (pending.state !== null) return this.openState(pending.state);
     if (pending.document !== null) {
       this.given = pending.document;
       await this.settle(this.opensAt);

@@ -1,0 +1,37 @@
+// The message about attributes that can't be used, beside other messages: it goes when the attributes are right.
+import type { Playground } from "../playground/playground.js";
+import { mistakes } from "./settings.js";
+
+export class AttributeMessage {
+  /** What was said last: the sentences about attributes, the rest of the message, and all of it together. */
+  private said: { found: readonly string[]; rest: string | null; all: string } | null = null;
+
+  constructor(
+    private readonly host: Element,
+    private readonly playground: Playground,
+  ) {}
+
+  /** Says what is wrong with these attributes, of all that the message may be about. */
+  say(names: ReadonlySet<string>, all: ReadonlySet<string>): void {
+    const { answer, problem, solving } = this.playground;
+    const goals = problem.scene.value?.goals.length ?? null;
+    const found = mistakes(this.host, names, goals);
+    const shown = answer.error.peek();
+    // A message that was closed, or that another one replaced, has nothing to take back.
+    const before = this.said !== null && this.said.all === shown ? this.said : null;
+    const wrong = before === null ? [] : mistakes(this.host, all, goals);
+    const kept = before?.found.filter((mistake) => wrong.includes(mistake)) ?? [];
+    if (found.length === 0 && kept.length === (before?.found.length ?? 0)) return;
+    const rest = before === null ? shown : before.rest;
+    const others = rest === null || found.some((mistake) => rest.includes(mistake)) ? null : rest;
+    const sentences = [...new Set([...kept, ...found])];
+    if (others === null && sentences.length === 0) {
+      this.said = null;
+      answer.dismiss();
+      return;
+    }
+    const message = [...(others === null ? [] : [others]), ...sentences].join(" ");
+    this.said = { found: sentences, rest: others, all: message };
+    solving.refuse(message, answer.again.peek());
+  }
+}
