@@ -32,7 +32,10 @@ function inShadow(code) {
     .replace(/(?<![\w-])--(?!mo-copp-)(?=[a-z])/g, OWN)
     .split("\n")
     .map((line) => {
-      if (line.startsWith("@media (max-width")) return line.replace("@media", "@container mo-copp");
+      // A container's `em` is the size that all of the playground goes by; its `rem` is that of the page around it.
+      if (line.startsWith("@media (max-width"))
+        return line.replace("@media", "@container mo-copp").replace(/rem\b/, "em");
+      if (line.startsWith("@container")) return line.replace(/rem\b/, "em");
       if (line.startsWith("@") || line.includes("--mo-copp-rem:")) return line;
       // As wide as the playground, and not as the window; dialogs go by the window.
       const own = line.includes("-room:") ? line.replace("100vw", "100cqi") : line;

@@ -680,3 +680,31 @@ test("a base of the page leaves its address the page's own", () =>
       assert.equal(page.url().replace(/#.*$/s, ""), `${address}lesson/guest.html?x=1`);
     }
   }));
+
+test("where parts stand goes by the size that all goes by, and not by the page's root", () =>
+  visit(async ({ page }) => {
+    // Between the widths at which parts of the playground are laid out in another way.
+    for (const width of [350, 600, 800, 1000, 1100]) {
+      const layouts = new Set<string>();
+      for (const root of [10, 16, 20]) {
+        await lesson(
+          page,
+          `<div style="width: ${width}px; --mo-copp-font-size: 16px"><mo-copp-playground id="one" problem="corridor" link="off"></mo-copp-playground></div>`,
+          { html: `style="font-size: ${root}px"` },
+        );
+        await ready(page);
+        const places = await page.locator("#one").evaluate((element) => {
+          const { left, top } = element.getBoundingClientRect();
+          return [...(element.shadowRoot?.querySelectorAll(".panel, .stepper, .legend, .below > *, button") ?? [])].map(
+            (part) => {
+              const box = part.getBoundingClientRect();
+              return [box.left - left, box.top - top, box.width].map(Math.round);
+            },
+          );
+        });
+        assert(places.length > 10, "parts are there");
+        layouts.add(JSON.stringify(places));
+      }
+      assert.equal(layouts.size, 1, `one layout at ${width} pixels, whatever the root`);
+    }
+  }));
