@@ -364,6 +364,23 @@ test("methods wait for what was asked for before them", () =>
     assert.equal(told.status, "solved");
   }));
 
+test("methods wait for a problem that takes long until it is open, and not until it is solved", () =>
+  visit(async ({ page }) => {
+    await lesson(page, one);
+    await ready(page);
+    const told = await page.locator("#one").evaluate(
+      async (element, endless) => {
+        const playground = element as MoCoppPlayground;
+        const before = await playground.toSVG();
+        playground.document = endless;
+        const after = await playground.toSVG();
+        return { other: before !== after, status: playground.dataset.status };
+      },
+      JSON.parse(readFileSync(new URL("support/endless.json", import.meta.url), "utf8")),
+    );
+    assert.deepEqual(told, { other: true, status: "solving" });
+  }));
+
 test("prose wakes a playground that waits below, brings it into sight, and follows it from wherever it stands", () =>
   visit(async ({ page }) => {
     const far = one.replace("<mo-copp-playground", '<mo-copp-playground loading="lazy"');
