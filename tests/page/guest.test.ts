@@ -6,7 +6,7 @@ import type { Page } from "playwright-core";
 import { attributes } from "../../www/src/element/attributes.js";
 import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
 import { visit } from "./support/browser.js";
-import { grid } from "./support/documents.js";
+import { endless, grid } from "./support/documents.js";
 import { address } from "./support/site.js";
 
 async function lesson(page: Page, body: string, { html = "", head = "" } = {}): Promise<void> {
@@ -368,16 +368,13 @@ test("methods wait for a problem that takes long until it is open, and not until
   visit(async ({ page }) => {
     await lesson(page, one);
     await ready(page);
-    const told = await page.locator("#one").evaluate(
-      async (element, endless) => {
-        const playground = element as MoCoppPlayground;
-        const before = await playground.toSVG();
-        playground.document = endless;
-        const after = await playground.toSVG();
-        return { other: before !== after, status: playground.dataset.status };
-      },
-      JSON.parse(readFileSync(new URL("support/endless.json", import.meta.url), "utf8")),
-    );
+    const told = await page.locator("#one").evaluate(async (element, document) => {
+      const playground = element as MoCoppPlayground;
+      const before = await playground.toSVG();
+      playground.document = document;
+      const after = await playground.toSVG();
+      return { other: before !== after, status: playground.dataset.status };
+    }, JSON.parse(endless()));
     assert.deepEqual(told, { other: true, status: "solving" });
   }));
 
