@@ -174,6 +174,7 @@ test("one is skipped with its best plan kept, the rest is cancelled, and the liv
 
 test("one that takes longer than it may is stopped, and says so", () =>
   opened({ document: endless(), tab: "Compare" }, async (page) => {
+    await page.locator('[data-board="actor"] [data-cell="23,23"]').waitFor();
     await page.getByLabel("Each may take").selectOption({ label: "2 seconds" });
     await press(page, "Compare all solvers");
     await row(page, "Exact search").getByText("best found (out of time)").waitFor();
