@@ -58,7 +58,7 @@ pub enum ExerciseError {
     Document(#[from] DocumentError),
     /// Nothing that was drawn for a seed is as hard as the original and no more trivial.
     #[error(
-        "seed {seed}: none of {tries} variants drawn has an answer and the difficulty of the original; whoever set the exercise can give another name or seed"
+        "seed {seed}: none of {tries} variants drawn has an answer and the difficulty of the original; another seed may have one"
     )]
     NoVariant {
         /// The seed.

@@ -44,7 +44,7 @@ impl VariantSample {
         Self::within(block, original, most(MOST_EFFORT), most(PATIENCE * MOST_EFFORT))
     }
 
-    /// With at most so many draws, or so many while no variant has been found.
+    /// With at most `most` draws, or `patient` ones while no variant has been found.
     fn within(block: &Block, original: &Variant, most: u32, patient: u32) -> Self {
         let mut sample = Self { seeds: 0, found: 0, different: 0, answers: 0, draws: 0 };
         let (mut questions, mut answers) = (BTreeSet::new(), BTreeSet::new());

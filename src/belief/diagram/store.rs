@@ -77,7 +77,7 @@ impl Diagrams {
         }
     }
 
-    /// Allows about so many new nodes from here on, and no more: a limit of time that does not depend on the machine. More
+    /// Limits the number of new nodes from here on, about: a limit of time that does not depend on the machine. More
     /// of them are [`LimitReached::Memory`].
     pub(crate) fn allow(&mut self, nodes: usize) {
         self.most = self.len().saturating_add(nodes);

@@ -142,7 +142,7 @@ impl Optimiser {
         self.best.is_some()
     }
 
-    /// Whether none was found with so much work: expansions and believed states gone through.
+    /// Whether none was found with that much work done: expansions and believed states gone through.
     pub(in crate::solver) fn lacks_plan(&self, after_work: u64) -> bool {
         let spent = |work: &Work| {
             let sampled = work.sampled.as_deref().map_or(0, |(space, ..)| space.touched);
@@ -186,7 +186,12 @@ impl Optimiser {
         self.learned = true;
     }
 
-    /// So many expansions fewer are left.
+    /// Sets the limit of bytes: other engines may need a part for a while.
+    pub(in crate::solver) fn limit_bytes(&mut self, bytes: u64) {
+        self.options.limits.bytes = bytes;
+    }
+
+    /// Lowers the limit of expansions by those of other engines.
     pub(in crate::solver) fn lower_limit(&mut self, expansions: u64) {
         let limit = &mut self.options.limits.expansions;
         *limit = limit.saturating_sub(expansions);

@@ -26,7 +26,7 @@ const WORK_WITHOUT_PLAN: u64 = 3_000_000;
 const WORK_AFTER_MEANS: u64 = 300_000;
 const LONGER: u64 = 10;
 
-/// Of the memory limit the part that looking for a first plan may take beside the optimiser: one of so many.
+/// The means for a first plan and the optimiser beside them have the memory limit divided by this, each.
 pub(super) const SHARE_OF_MEMORY: u64 = 2;
 
 /// The optimiser and, for a while, the means for a first plan.
@@ -62,7 +62,7 @@ impl BestPlan {
         Self::with(WORK_WITHOUT_PLAN, GREEDY_NODES, problem, options, options)
     }
 
-    /// With so much work of the optimiser before a first plan is looked for, so many nodes of Algorithm 1 and options of the
+    /// With `work` of the optimiser before a first plan is looked for, `nodes` for Algorithm 1 and options of the
     /// optimiser's own.
     pub(super) fn with(
         work: u64,
@@ -85,7 +85,9 @@ impl BestPlan {
 
     /// After the first round of the means for a first plan.
     pub(super) fn after(first: Box<FirstPlan>, problem: Arc<Problem>, options: &Options) -> Self {
-        let engine = Self::with(WORK_AFTER_MEANS, GREEDY_NODES, problem, options, options);
+        let mut half = options.clone();
+        half.limits.bytes /= SHARE_OF_MEMORY;
+        let engine = Self::with(WORK_AFTER_MEANS, GREEDY_NODES, problem, options, &half);
         Self { means: Means::Waiting(first), ..engine }
     }
 
@@ -116,6 +118,7 @@ impl BestPlan {
             _ => {
                 if self.met.is_none() {
                     options.limits.bytes /= SHARE_OF_MEMORY;
+                    self.optimiser.limit_bytes(options.limits.bytes);
                 }
                 let problem = Arc::clone(&self.problem);
                 let mut first = FirstPlan::new(self.nodes, problem, &options, None);
@@ -140,6 +143,7 @@ impl BestPlan {
         let stats = first.stats();
         self.earlier.add_engine(&stats);
         self.optimiser.lower_limit(stats.expansions);
+        self.optimiser.limit_bytes(self.options.limits.bytes);
         let Ok(Some(Finding { plan: Some(plan), witnesses, .. })) = end else { return };
         let limits = self.options.limits;
         let bounds = self.options.heeded_bounds();

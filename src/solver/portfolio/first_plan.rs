@@ -45,9 +45,9 @@ pub(super) struct FirstPlan {
 enum Turn {
     /// Nodes taken from the open list.
     Greedy(u64),
-    /// Until so many nodes have been generated: each has a value worked out, and there may be many for one that is taken.
+    /// Until this number of nodes has been generated: each has a value worked out, and there may be many for one that is taken.
     GreedyUntil(u64),
-    /// Until so many values have been worked out.
+    /// Until this number of values has been worked out.
     Walks(u64),
 }
 
@@ -65,7 +65,7 @@ pub(super) fn left(options: &Options, spent: &Stats) -> Options {
 }
 
 impl FirstPlan {
-    /// For plans of any length or of exactly `horizon` actions, with so many nodes for Algorithm 1 at first.
+    /// For plans of any length or of exactly `horizon` actions, with `nodes` for Algorithm 1 at first.
     pub(super) fn new(
         nodes: u64,
         problem: Arc<Problem>,
@@ -76,7 +76,7 @@ impl FirstPlan {
         let mut options = options.clone();
         let (mut turns, mut rounds) = (vec![Turn::Greedy(nodes)], Vec::new());
         if suits_walks {
-            // Both are there at the same time.
+            // Algorithm 1 and the walks are there at the same time.
             options.limits.bytes /= 2;
             turns.insert(0, Turn::Walks(WALK_EVALUATIONS));
             let round = |(generated, walks): &(u64, u64)| {

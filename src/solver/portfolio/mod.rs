@@ -19,6 +19,7 @@ mod tests;
 
 use std::sync::Arc;
 
+use self::best_plan::SHARE_OF_MEMORY;
 use self::first_plan::{FirstPlan, GREEDY_NODES, left};
 use super::engine::{Advance, Engine, Finding};
 use super::explorer::Lengths;
@@ -67,7 +68,9 @@ impl Portfolio {
         options: &Options,
         horizon: Option<usize>,
     ) -> Self {
-        let first = FirstPlan::new(nodes, Arc::clone(&problem), options, horizon);
+        let mut half = options.clone();
+        half.limits.bytes /= SHARE_OF_MEMORY;
+        let first = FirstPlan::new(nodes, Arc::clone(&problem), &half, horizon);
         let stage = Stage::First(Some(Box::new(first)));
         let (options, alone) = (options.clone(), options.clone());
         Self { problem, options, horizon, alone, stage, earlier: Stats::default() }

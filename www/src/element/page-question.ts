@@ -90,7 +90,7 @@ export class PageQuestion {
   }
 }
 
-/** The playground's own page opens what anybody brings, unless its address asks a question. */
+/** The playground's own page opens every file and link, unless its address asks a question. */
 const isOpenToAll = (host: HTMLElement): boolean =>
   isOwnPage(host) && !host.hasAttribute("src") && !host.hasAttribute("exercise");
 

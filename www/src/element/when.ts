@@ -9,7 +9,7 @@ export function whenParsed(): Promise<void> {
   return new Promise((resolve) => document.addEventListener("DOMContentLoaded", () => resolve(), { once: true }));
 }
 
-/** Signs that somebody reads on. Before any of them what is out of sight may stay there. */
+/** Signs of reading on. Before any of them what is out of sight may stay there. */
 const signs = ["scroll", "keydown", "pointerdown"] as const;
 let reading = false;
 

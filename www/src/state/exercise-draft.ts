@@ -45,7 +45,7 @@ const empty: DraftFields = {
   vary: [],
 };
 
-/** The fields of a form that was kept; what does not read like one is as nobody touched it. */
+/** The fields of a form that was kept; what does not read like one is as in a new form. */
 function fieldsIn(text: string): DraftFields {
   const kept: Record<string, unknown> = { ...empty, ...parsed(text) };
   const fits = Object.entries(empty).every(([name, value]) => {

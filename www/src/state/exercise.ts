@@ -151,7 +151,7 @@ export class Exercise {
 
   /**
    * Shows the question that belongs to a name in place of the one that is open. What was tried of a question stays tried:
-   * whoever comes back to it goes on there.
+   * it goes on there when its name is asked for again.
    */
   async call(name: string): Promise<void> {
     const posed = this.posed.value;

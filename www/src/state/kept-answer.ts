@@ -30,7 +30,7 @@ const MOST_OTHERS = 100;
 /** What a code can hold. */
 const MOST_TRIES = 1_000_000;
 
-/** Reads an answer that somebody kept; null where it has another shape. */
+/** Reads a kept answer; null where it has another shape. */
 export function readAnswer(value: unknown): KeptAnswer | null {
   const tries = readTries(value);
   if (tries === null) return null;
