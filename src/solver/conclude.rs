@@ -115,31 +115,21 @@ fn achieved(
     finding: &Finding,
     plan: &Plan,
 ) -> Result<Achievement, InvalidPlan> {
-    let too_large = |achieved: &Result<_, _>| {
-        matches!(achieved, Err(InvalidPlan::Step(PlanError::TooLarge { .. })))
-    };
-    if finding.witnesses.is_empty() {
+    let witnesses = finding.witnesses.clone();
+    if witnesses.is_empty() {
         let quick = validate_quickly(problem, plan);
-        if !too_large(&quick) {
+        if !matches!(quick, Err(InvalidPlan::Step(PlanError::TooLarge { .. }))) {
             return quick;
         }
     }
-    let proof = finding.status == Status::Optimal;
-    let within = |witnesses: &[_]| {
-        let settled = validate_within(problem, plan, witnesses, options.limits).ok()?;
-        let kept = options.heeded_bounds().allow(settled.counts, &settled.survivors);
-        (settled.is_settled() || kept && !proof).then_some(settled)
-    };
-    if !finding.witnesses.is_empty()
-        && let Some(settled) = within(&finding.witnesses)
-    {
-        return Ok(settled);
-    }
     #[cfg(feature = "full")]
-    if finding.witnesses.is_empty()
-        && let Some(settled) = within(&parallel_walks::beside(problem, plan, options.limits))
-    {
-        return Ok(settled);
+    let witnesses = parallel_walks::beside(problem, plan, witnesses, options.limits);
+    if !witnesses.is_empty() {
+        let settled = validate_within(problem, plan, &witnesses, options.limits)?;
+        let kept = options.heeded_bounds().allow(settled.counts, &settled.survivors);
+        if settled.is_settled() || kept && finding.status != Status::Optimal {
+            return Ok(settled);
+        }
     }
-    validate_with(problem, plan, &finding.witnesses)
+    validate_with(problem, plan, &witnesses)
 }

@@ -98,12 +98,16 @@ pub(in crate::solver) fn suits(problem: &Problem, bounds: &Bounds, horizon: Opti
 /// The values of states that may be worked out for the walks beside a plan: some seconds.
 const EVALUATIONS_BESIDE: u64 = 400_000;
 
-/// Walks beside a plan from elsewhere: for each enemy and goal one, where it was found.
+/// Walks beside a plan from elsewhere: those that came with it, or else for each enemy and goal one, where it is found.
 pub(in crate::solver) fn beside(
     problem: &Arc<Problem>,
     plan: &Plan,
+    known: Vec<Witness>,
     limits: Limits,
 ) -> Vec<Witness> {
+    if !known.is_empty() {
+        return known;
+    }
     let Ok(symbols) = crate::trace::symbols(problem, plan) else { return Vec::new() };
     let mut joint = JointSpace::new(Arc::clone(problem), limits);
     joint.keep_listed();

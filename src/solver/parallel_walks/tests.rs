@@ -62,7 +62,7 @@ fn walks_beside_any_plan_hold_and_show_what_survives() {
         });
         let Some(plan) = solve.unwrap().plan else { continue };
         let full = validate(&judge.problem, &plan).unwrap();
-        let witnesses = beside(&judge.problem, &plan, Limits::default());
+        let witnesses = beside(&judge.problem, &plan, Vec::new(), Limits::default());
         let seen = crate::trace::symbols(&judge.problem, &plan).unwrap();
         for witness in &witnesses {
             assert!(witness.holds(&judge.problem, &seen[witness.observer]));

@@ -132,14 +132,13 @@ impl BestPlan {
 
     /// The means have come to the end of a round, or to their own, perhaps with a plan.
     fn end_round(&mut self, first: Box<FirstPlan>, end: Result<Option<Finding>, LimitReached>) {
-        self.means = match end {
-            Ok(None) if first.has_another_round() && self.met.is_none() => {
-                self.means = Means::Waiting(first);
-                return;
-            }
-            Err(LimitReached::Memory { .. }) if self.met.is_none() => Means::HadTooLittle,
-            _ => Means::Over,
-        };
+        let alone = self.met.is_some();
+        if matches!(end, Ok(None)) && first.has_another_round() && !alone {
+            self.means = Means::Waiting(first);
+            return;
+        }
+        let too_little = matches!(end, Err(LimitReached::Memory { .. })) && !alone;
+        self.means = if too_little { Means::HadTooLittle } else { Means::Over };
         let stats = first.stats();
         self.earlier.add_engine(&stats);
         self.optimiser.lower_limit(stats.expansions);
@@ -147,11 +146,7 @@ impl BestPlan {
         let Ok(Some(Finding { plan: Some(plan), witnesses, .. })) = end else { return };
         let limits = self.options.limits;
         let bounds = self.options.heeded_bounds();
-        let witnesses = if witnesses.is_empty() {
-            parallel_walks::beside(&self.problem, &plan, limits)
-        } else {
-            witnesses
-        };
+        let witnesses = parallel_walks::beside(&self.problem, &plan, witnesses, limits);
         if let Ok(achieved) = validate_within(&self.problem, &plan, &witnesses, limits)
             && bounds.allow(achieved.counts, &achieved.survivors)
         {

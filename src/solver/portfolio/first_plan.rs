@@ -43,10 +43,9 @@ pub(super) struct FirstPlan {
 /// Whose turn it is, and how much is left of it.
 #[derive(Debug, Clone, Copy)]
 enum Turn {
-    /// Nodes taken from the open list.
-    Greedy(u64),
-    /// Until this number of nodes has been generated: each has a value worked out, and there may be many for one that is taken.
-    GreedyUntil(u64),
+    /// At most `nodes` from the open list, and until this number has been `generated`: each of these has a value worked
+    /// out, and there may be many for one that is taken.
+    Greedy { nodes: u64, generated: u64 },
     /// Until this number of values has been worked out.
     Walks(u64),
 }
@@ -74,13 +73,15 @@ impl FirstPlan {
     ) -> Self {
         let suits_walks = suits_walks(&problem, options, horizon);
         let mut options = options.clone();
-        let (mut turns, mut rounds) = (vec![Turn::Greedy(nodes)], Vec::new());
+        let (mut turns, mut rounds) =
+            (vec![Turn::Greedy { nodes, generated: u64::MAX }], Vec::new());
         if suits_walks {
             // Algorithm 1 and the walks are there at the same time.
             options.limits.bytes /= 2;
             turns.insert(0, Turn::Walks(WALK_EVALUATIONS));
-            let round = |(generated, walks): &(u64, u64)| {
-                [Turn::Walks(walks * WALK_EVALUATIONS), Turn::GreedyUntil(*generated)]
+            let round = |&(generated, walks): &(u64, u64)| {
+                let greedy = Turn::Greedy { nodes: u64::MAX, generated };
+                [Turn::Walks(walks * WALK_EVALUATIONS), greedy]
             };
             rounds = LONGER.iter().rev().map(round).collect();
         }
@@ -121,31 +122,34 @@ impl FirstPlan {
         self.greedy.take_if(|_| !self.suits_walks)
     }
 
-    fn advance_greedy(&mut self, budget: u64, turn: Turn) -> Result<Advance, LimitReached> {
+    fn advance_greedy(
+        &mut self,
+        budget: u64,
+        (nodes, generated): (u64, u64),
+    ) -> Result<Advance, LimitReached> {
         self.turns.pop();
         let Some(greedy) = &mut self.greedy else { return Ok(Advance::Working) };
-        let (budget, next) = match turn {
-            Turn::Greedy(left) => (budget.min(left), Turn::Greedy(left - budget.min(left))),
-            _ => (budget.min(1), turn),
-        };
-        let over = match turn {
-            Turn::GreedyUntil(generated) => greedy.stats().generated >= generated,
-            _ => budget == 0,
-        };
-        if over {
-            return Ok(Advance::Working);
-        }
-        match greedy.advance(budget) {
-            Err(LimitReached::Listed { .. }) => {
-                self.earlier.add_engine(&greedy.stats());
-                self.greedy = None;
-                Ok(Advance::Working)
+        for taken in 0..budget {
+            let over = generated < u64::MAX && greedy.stats().generated >= generated;
+            if over || taken == nodes {
+                return Ok(Advance::Working);
             }
-            answer => {
-                self.turns.push(next);
-                answer
+            match greedy.advance(1) {
+                Ok(Advance::Working) => {}
+                Err(LimitReached::Listed { .. }) => {
+                    self.earlier.add_engine(&greedy.stats());
+                    self.greedy = None;
+                    return Ok(Advance::Working);
+                }
+                answer => {
+                    // It can still be asked what it knows.
+                    self.turns.push(Turn::Greedy { nodes, generated });
+                    return answer;
+                }
             }
         }
+        self.turns.push(Turn::Greedy { nodes: nodes - budget, generated });
+        Ok(Advance::Working)
     }
 
     fn advance_walks(&mut self, budget: u64, until: u64) -> Result<Advance, LimitReached> {
@@ -183,8 +187,8 @@ impl Engine for FirstPlan {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
         match self.turns.last() {
             None => Ok(Advance::Working),
-            Some(&turn @ (Turn::Greedy(_) | Turn::GreedyUntil(_))) => {
-                self.advance_greedy(budget, turn)
+            Some(&Turn::Greedy { nodes, generated }) => {
+                self.advance_greedy(budget, (nodes, generated))
             }
             Some(&Turn::Walks(until)) => self.advance_walks(budget, until),
         }
@@ -192,14 +196,13 @@ impl Engine for FirstPlan {
 
     fn stop(&mut self, limit: LimitReached) -> Finding {
         match (self.turns.last(), &mut self.greedy) {
-            (Some(Turn::Greedy(_) | Turn::GreedyUntil(_)), Some(greedy)) => greedy.stop(limit),
+            (Some(Turn::Greedy { .. }), Some(greedy)) => greedy.stop(limit),
             _ => Finding::stopped(None, limit),
         }
     }
 
     fn report(&self, progress: &mut Progress) {
-        let turn = self.turns.last();
-        if let (Some(Turn::Greedy(_) | Turn::GreedyUntil(_)), Some(greedy)) = (turn, &self.greedy) {
+        if let (Some(Turn::Greedy { .. }), Some(greedy)) = (self.turns.last(), &self.greedy) {
             greedy.report(progress);
         }
     }
