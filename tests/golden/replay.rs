@@ -67,10 +67,15 @@ pub fn draw(format: &str, seed: u64) -> Document {
     }
 }
 
+/// Memory in bytes, counted by contents, with which all answers are there: what wasm has. The same natively, so that an
+/// answer that needs more is missed there too.
+const MEMORY: u64 = 160 << 20;
+
 /// What `solve --json` says, but for what the work took.
 pub fn answer(document: &str, options: &Value) -> Value {
     let problem = Arc::new(Document::parse(document).unwrap().problem().unwrap());
-    let request = read_request(&options.to_string(), &problem).unwrap();
+    let mut request = read_request(&options.to_string(), &problem).unwrap();
+    request.options.limits.bytes = MEMORY;
     let mut run = Run::new(Arc::clone(&problem), request.options).unwrap();
     while !run.advance(100).unwrap() {}
     let report = SolveReport::new(&problem, &run.outcome().unwrap());

@@ -84,6 +84,15 @@ struct Work {
     tried_samples: bool,
 }
 
+impl Work {
+    fn bytes(&self) -> u64 {
+        let sampled = self.sampled.as_deref().map_or(0, |(space, estimates, search)| {
+            space.bytes() + estimates.bytes() + search.bytes()
+        });
+        self.space.bytes() + self.estimates.bytes() + self.stage.search().bytes() + sampled
+    }
+}
+
 /// Shown without its insides, which would weigh heavily in the wasm file.
 impl std::fmt::Debug for Optimiser {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -186,9 +195,14 @@ impl Optimiser {
         self.learned = true;
     }
 
-    /// Sets the limit of bytes: other engines may need a part for a while.
-    pub(in crate::solver) fn limit_bytes(&mut self, bytes: u64) {
-        self.options.limits.bytes = bytes;
+    /// Bytes in use, counted by contents.
+    pub(in crate::solver) fn bytes(&self) -> u64 {
+        self.work.as_deref().map_or(0, Work::bytes)
+    }
+
+    /// Whether more than this is in use; looked at as often as the limit is.
+    pub(in crate::solver) fn outgrows(&self, bytes: u64) -> bool {
+        self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) && self.bytes() > bytes
     }
 
     /// Lowers the limit of expansions by those of other engines.
@@ -212,11 +226,7 @@ impl Optimiser {
     fn check_limits(&self, work: &Work) -> Result<(), LimitReached> {
         let limits = &self.options.limits;
         if self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
-            let search = work.stage.search().bytes();
-            let sampled = work.sampled.as_deref().map_or(0, |(space, estimates, search)| {
-                space.bytes() + estimates.bytes() + search.bytes()
-            });
-            limits.check_bytes(work.space.bytes() + work.estimates.bytes() + search + sampled)?;
+            limits.check_bytes(work.bytes())?;
         }
         if self.expansions >= limits.expansions {
             return Err(LimitReached::Expansions { limit: limits.expansions });

@@ -2,8 +2,9 @@
 //!
 //! Best first over nodes, the optimiser follows values and can go long without a plan where beliefs are large. Then the
 //! [means for a first plan](super::first_plan) have their share, and the optimiser goes on for a better one. As in integer
-//! programming a plan from elsewhere changes no proof: it raises what is aimed at. Where the optimiser runs out of memory
-//! before they had theirs, they have it all, and the bound that is proved stays.
+//! programming a plan from elsewhere changes no proof: it raises what is aimed at. While both are there each has a share
+//! of the memory. Where the optimiser needs more, the means give theirs up; where it has had all of it and has no plan, it
+//! is the means that have it all, and the bound that is proved stays.
 //!
 //! Source: Berthold 2006, "Primal heuristics for mixed integer programs" (urn:nbn:de:0297-zib-10293).
 
@@ -51,28 +52,21 @@ enum Means {
     /// They have had a round.
     Waiting(Box<FirstPlan>),
     AtWork(Box<FirstPlan>),
-    /// They have run out of the memory that the optimiser left.
-    HadTooLittle,
+    /// The optimiser has all of the memory: theirs was too little, or its own.
+    GaveWay,
     Over,
 }
 
 impl BestPlan {
     /// Over plans of all lengths.
     pub(in crate::solver) fn new(problem: Arc<Problem>, options: &Options) -> Self {
-        Self::with(WORK_WITHOUT_PLAN, GREEDY_NODES, problem, options, options)
+        Self::with(WORK_WITHOUT_PLAN, GREEDY_NODES, problem, options)
     }
 
-    /// With `work` of the optimiser before a first plan is looked for, `nodes` for Algorithm 1 and options of the
-    /// optimiser's own.
-    pub(super) fn with(
-        work: u64,
-        nodes: u64,
-        problem: Arc<Problem>,
-        options: &Options,
-        of_optimiser: &Options,
-    ) -> Self {
+    /// With `work` of the optimiser before a first plan is looked for and `nodes` for Algorithm 1.
+    pub(super) fn with(work: u64, nodes: u64, problem: Arc<Problem>, options: &Options) -> Self {
         Self {
-            optimiser: Optimiser::new(Arc::clone(&problem), of_optimiser, None),
+            optimiser: Optimiser::new(Arc::clone(&problem), options, None),
             problem,
             options: options.clone(),
             work,
@@ -85,10 +79,20 @@ impl BestPlan {
 
     /// After the first round of the means for a first plan.
     pub(super) fn after(first: Box<FirstPlan>, problem: Arc<Problem>, options: &Options) -> Self {
-        let mut half = options.clone();
-        half.limits.bytes /= SHARE_OF_MEMORY;
-        let engine = Self::with(WORK_AFTER_MEANS, GREEDY_NODES, problem, options, &half);
+        let engine = Self::with(WORK_AFTER_MEANS, GREEDY_NODES, problem, options);
         Self { means: Means::Waiting(first), ..engine }
+    }
+
+    /// With another optimiser.
+    #[cfg(test)]
+    pub(super) fn with_optimiser(self, optimiser: Optimiser) -> Self {
+        Self { optimiser, ..self }
+    }
+
+    /// Whether the optimiser has all of the memory.
+    #[cfg(test)]
+    pub(super) fn gave_way(&self) -> bool {
+        matches!(self.means, Means::GaveWay)
     }
 
     /// Whether there is a plan.
@@ -104,7 +108,7 @@ impl BestPlan {
                 self.optimiser.lacks_plan(self.work) || self.optimiser.lacks_plan_after_samples()
             }
             Means::Waiting(_) => self.optimiser.lacks_plan(self.work),
-            Means::AtWork(_) | Means::HadTooLittle | Means::Over => false,
+            Means::AtWork(_) | Means::GaveWay | Means::Over => false,
         }
     }
 
@@ -117,8 +121,8 @@ impl BestPlan {
             }
             _ => {
                 if self.met.is_none() {
-                    options.limits.bytes /= SHARE_OF_MEMORY;
-                    self.optimiser.limit_bytes(options.limits.bytes);
+                    let free = options.limits.bytes.saturating_sub(self.optimiser.bytes());
+                    options.limits.bytes = free.min(self.share());
                 }
                 let problem = Arc::clone(&self.problem);
                 let mut first = FirstPlan::new(self.nodes, problem, &options, None);
@@ -138,11 +142,8 @@ impl BestPlan {
             return;
         }
         let too_little = matches!(end, Err(LimitReached::Memory { .. })) && !alone;
-        self.means = if too_little { Means::HadTooLittle } else { Means::Over };
-        let stats = first.stats();
-        self.earlier.add_engine(&stats);
-        self.optimiser.lower_limit(stats.expansions);
-        self.optimiser.limit_bytes(self.options.limits.bytes);
+        self.means = if too_little { Means::GaveWay } else { Means::Over };
+        self.leave(first.as_ref());
         let Ok(Some(Finding { plan: Some(plan), witnesses, .. })) = end else { return };
         let limits = self.options.limits;
         let bounds = self.options.heeded_bounds();
@@ -151,6 +152,28 @@ impl BestPlan {
             && bounds.allow(achieved.counts, &achieved.survivors)
         {
             self.optimiser.learn(achieved.counts, plan, witnesses);
+        }
+    }
+
+    /// The means are left for good.
+    fn leave(&mut self, first: &FirstPlan) {
+        let stats = first.stats();
+        self.earlier.add_engine(&stats);
+        self.optimiser.lower_limit(stats.expansions);
+    }
+
+    /// Bytes for the optimiser, and for the means, while both are there.
+    fn share(&self) -> u64 {
+        self.options.limits.bytes / SHARE_OF_MEMORY
+    }
+
+    /// Leaves waiting means whose share the optimiser needs.
+    fn make_way(&mut self) {
+        let needed =
+            matches!(self.means, Means::Waiting(_)) && self.optimiser.outgrows(self.share());
+        if needed && let Means::Waiting(first) = std::mem::replace(&mut self.means, Means::GaveWay)
+        {
+            self.leave(&first);
         }
     }
 
@@ -183,6 +206,7 @@ impl Engine for BestPlan {
             return Err(limit);
         }
         for _ in 0..budget {
+            self.make_way();
             match self.optimiser.advance(1) {
                 Ok(Advance::Working) => {}
                 Err(LimitReached::Expansions { .. }) => {

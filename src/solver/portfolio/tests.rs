@@ -132,7 +132,7 @@ fn a_first_plan_from_elsewhere_changes_no_best_value() {
         let wish = random::wish(&mut dice, &judge.table);
         let options = Judge::options(Solver::Exact, None, &wish);
         let nodes = dice.pick(&[0, 1, 10]);
-        let engine = || BestPlan::with(0, nodes, Arc::clone(&judge.problem), &options, &options);
+        let engine = || BestPlan::with(0, nodes, Arc::clone(&judge.problem), &options);
         let (finding, first) = best(engine(), 1);
         learned += usize::from(first);
         let most = oracle::best(&judge.table, judge.endings().keys(), &wish);
@@ -151,6 +151,38 @@ fn a_first_plan_from_elsewhere_changes_no_best_value() {
 }
 
 #[test]
+fn waiting_means_give_way_where_the_optimiser_needs_their_memory() {
+    let mut dice = Dice::new(85);
+    let mut gave_way = 0;
+    for _ in 0..3_000 {
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, &PAIR), 0);
+        let wish = random::wish(&mut dice, &judge.table);
+        let mut options = Judge::options(Solver::Exact, None, &wish);
+        let alone = |options: &Options| {
+            let mut engine = Optimiser::new(Arc::clone(&judge.problem), options, None);
+            while matches!(engine.advance(1), Ok(Advance::Working)) {}
+            (engine.advance(1).is_ok(), engine.bytes())
+        };
+        // A little more than the optimiser needs, which is more than its share.
+        options.limits.bytes = alone(&options).1 * 3 / 2;
+        if !alone(&options).0 {
+            continue;
+        }
+        let first = FirstPlan::new(0, Arc::clone(&judge.problem), &options, None);
+        let mut engine = BestPlan::after(Box::new(first), Arc::clone(&judge.problem), &options);
+        let finding = loop {
+            match engine.advance(1).unwrap() {
+                Advance::Working => {}
+                Advance::Finished(finding) => break finding,
+            }
+        };
+        assert_ne!(finding.status, Status::Feasible);
+        gave_way += usize::from(engine.gave_way());
+    }
+    assert!(gave_way > 20, "{gave_way}");
+}
+
+#[test]
 fn where_the_optimiser_has_no_memory_there_is_a_first_plan() {
     let mut dice = Dice::new(84);
     let mut found = 0;
@@ -160,8 +192,9 @@ fn where_the_optimiser_has_no_memory_there_is_a_first_plan() {
         let options = Judge::options(Solver::Exact, None, &wish);
         let mut little = options.clone();
         little.limits.bytes = 0;
-        let problem = Arc::clone(&judge.problem);
-        let (finding, _) = best(BestPlan::with(u64::MAX, 1_000, problem, &options, &little), 1);
+        let poor = Optimiser::new(Arc::clone(&judge.problem), &little, None);
+        let engine = BestPlan::with(u64::MAX, 1_000, Arc::clone(&judge.problem), &options);
+        let (finding, _) = best(engine.with_optimiser(poor), 1);
         let possible = judge.endings().keys().any(|ending| wish.allows(&judge.table, ending));
         assert_eq!(finding.plan.is_some(), possible);
         if let Some(plan) = &finding.plan {
