@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         name: name.to_owned(),
         role,
         sensor: Arc::new(sensor),
-        initial_belief: vec![task.initial_state().clone()],
+        initial_belief: vec![task.initial_state().clone()].into(),
     };
     let observers = vec![
         observer("guard", Role::Adversarial, guard),

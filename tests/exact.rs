@@ -197,3 +197,14 @@ fn at_the_longest_horizon() {
         }
     }
 }
+
+#[test]
+fn random_strips_problems_equal_enumeration() {
+    let mut dice = Dice::new(131);
+    for _ in 0..300 {
+        let judge = random::strips(&mut dice).judge();
+        let wish = random::wish(&mut dice, &judge.table);
+        let horizon = dice.below(4);
+        equals_enumeration(&judge, horizon, &wish);
+    }
+}

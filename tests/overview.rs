@@ -80,7 +80,7 @@ fn an_overview_counts_what_the_trace_lists() {
 #[test]
 fn what_is_open_comes_before_what_is_certain() {
     let problem = problem("www/problems/blocks-unseen.json");
-    let belief = &problem.observers()[0].initial_belief;
+    let belief = problem.observers()[0].initial_belief.listed().unwrap();
     let report = BeliefReport::new(&problem, belief);
     assert_eq!(report.states.as_f64(), 501.0);
     let open = report.shares.iter().take_while(|share| share.states.as_f64() < 501.0).count();

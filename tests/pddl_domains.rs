@@ -46,8 +46,11 @@ fn initial_beliefs_are_drawn_for_each_observer_by_itself() {
         }
         for document in with_beliefs(seed, 6) {
             let problem = Arc::new(document.problem().unwrap());
-            let sizes: Vec<usize> =
-                problem.observers().iter().map(|o| o.initial_belief.len()).collect();
+            let sizes: Vec<usize> = problem
+                .observers()
+                .iter()
+                .map(|o| o.initial_belief.listed().unwrap().len())
+                .collect();
             assert!(sizes.iter().all(|size| (1..=6).contains(size)), "{sizes:?}");
             larger[0] += usize::from(sizes[0] > sizes[1]);
             larger[1] += usize::from(sizes[1] > sizes[0]);

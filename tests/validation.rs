@@ -81,7 +81,7 @@ fn observer(task: &Task, name: &str, role: Role) -> Observer {
         name: name.to_owned(),
         role,
         sensor: Arc::new(sensor.build(task).unwrap()),
-        initial_belief: vec![task.initial_state().clone()],
+        initial_belief: vec![task.initial_state().clone()].into(),
     }
 }
 
@@ -123,7 +123,7 @@ fn problems() {
         "observer enemy is named twice"
     );
     assert_eq!(
-        made(&goals, 0, |o| o[1].initial_belief.clear()),
+        made(&goals, 0, |o| o[1].initial_belief = Vec::new().into()),
         "the initial belief of observer friend lacks the initial state"
     );
 }

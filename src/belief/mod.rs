@@ -7,6 +7,7 @@
 //! interned in a [`BeliefSpace`] and each (belief, symbol) is worked out once, for every solver.
 
 pub mod diagram;
+mod initial_belief;
 pub mod pairwise;
 mod space;
 mod state_sets;
@@ -14,6 +15,7 @@ mod subsets;
 mod transition_table;
 
 pub use diagram::StateCount;
+pub use initial_belief::InitialBelief;
 pub use space::{BeliefId, BeliefSpace, Keep};
 pub use state_sets::{Members, StateSets};
 pub use transition_table::TransitionTable;

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use fixedbitset::FixedBitSet;
 
 use super::diagram::SymbolRelations;
+use super::initial_belief::InitialBelief;
 use super::state_sets::{Members, StateSets};
 use super::transition_table::TransitionTable;
 use crate::limits::{LimitReached, Limits};
 use crate::sensor::{Sensor, Symbol};
-use crate::task::{StateId, StateSpace, Task};
+use crate::task::{Fact, StateId, StateSpace, Task};
 
 /// A belief met in a [`BeliefSpace`], by its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -125,6 +126,30 @@ impl BeliefSpace {
         }
         let sensor = &self.sensor;
         self.sets.intern(states, list, limits, || SymbolRelations::new(states.task(), sensor))
+    }
+
+    /// The number of the initial belief. Where samples are followed they have states in which each of the conditions holds,
+    /// if there are any.
+    pub(crate) fn initial<'a>(
+        &mut self,
+        states: &mut StateSpace,
+        believed: &InitialBelief,
+        conditions: impl Iterator<Item = &'a [Fact]>,
+        limits: &Limits,
+    ) -> BeliefId {
+        let Some((diagrams, set)) = believed.diagram().filter(|_| self.sampling.is_none()) else {
+            let list = match believed.listed() {
+                Some(list) => list.iter().map(|state| states.intern(state)).collect(),
+                None => {
+                    let some = believed.some_states(conditions);
+                    some.iter().map(|state| states.intern(state)).collect()
+                }
+            };
+            return self.intern(states, list, limits);
+        };
+        let sensor = &self.sensor;
+        let task = Arc::clone(states.task());
+        self.sets.adopt(states, diagrams, set, limits, || SymbolRelations::new(&task, sensor))
     }
 
     /// The symbol on an edge of the state space, by the edge's position there.

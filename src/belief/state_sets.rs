@@ -92,7 +92,7 @@ impl StateSets {
 
     /// Whether a set has outgrown its list.
     pub fn has_unlisted(&self) -> bool {
-        self.unlisted.is_some()
+        !self.large.is_empty()
     }
 
     /// The states of a set.
@@ -123,6 +123,40 @@ impl StateSets {
             }
         }
         self.lists.intern(list)
+    }
+
+    /// The number of a set of another store. It is listed where it has few states; where all sets are to be listed, as many
+    /// as the memory holds.
+    pub(crate) fn adopt(
+        &mut self,
+        states: &mut StateSpace,
+        diagrams: &Diagrams,
+        set: SetId,
+        limits: &Limits,
+        relations: impl FnOnce() -> SymbolRelations,
+    ) -> BeliefId {
+        let state = size_of_val(states.task().initial_state().words());
+        self.most = self.most.min(limits.bytes as usize / state.max(1));
+        let unlisted = unlisted(&mut self.unlisted, states, limits, relations);
+        let set = unlisted.diagrams.adopt(diagrams, set);
+        if unlisted.diagrams.has_more_than(set, self.most) {
+            return unlisted.number(set, &mut self.lists, &mut self.large);
+        }
+        self.list(states, set)
+    }
+
+    /// The number of the list of a diagram's states.
+    fn list(&mut self, states: &mut StateSpace, diagram: SetId) -> BeliefId {
+        let few = self
+            .unlisted
+            .as_ref()
+            .map_or_else(Vec::new, |unlisted| unlisted.diagrams.first_states(diagram, self.most));
+        let number = self.lists.intern(few.iter().map(|state| states.intern(state)).collect());
+        if let Some(unlisted) = &mut self.unlisted {
+            unlisted.numbers.insert(diagram, number);
+            unlisted.of_sets.insert(number, diagram);
+        }
+        number
     }
 
     /// The number of the set with one state, which is listed whatever the limit.
@@ -234,11 +268,7 @@ impl StateSets {
         if unlisted.diagrams.has_more_than(next, self.most) {
             return Ok(unlisted.number(next, &mut self.lists, &mut self.large));
         }
-        let few = unlisted.diagrams.first_states(next, self.most);
-        let number = self.lists.intern(few.iter().map(|state| states.intern(state)).collect());
-        unlisted.numbers.insert(next, number);
-        unlisted.of_sets.insert(number, next);
-        Ok(number)
+        Ok(self.list(states, next))
     }
 
     /// At most so many states of a set, spread over it evenly.

@@ -62,7 +62,8 @@ impl BeliefLayers {
             .map(|(&operator, state)| sensor.read(task, operator, state.words()))
             .collect();
         let mut space = StateSpace::new(Arc::clone(task));
-        let mut first = problem.observers()[observer].initial_belief.clone();
+        let believed = problem.observers()[observer].initial_belief.listed();
+        let mut first = believed.ok_or_else(Unfit::too_large)?.to_vec();
         first.sort_unstable();
         let layer: Layer = first.iter().map(|state| (space.intern(state), None)).collect();
         let mut layers = Self {

@@ -16,7 +16,7 @@ use crate::belief::{BeliefId, BeliefSpace, Keep, StateSets, TransitionTable};
 use crate::goal_difference::{GoalSet, Survivors};
 use crate::limits::{LimitReached, Limits};
 use crate::sensor::{Sensor, Symbol};
-use crate::task::{Action, StateId, StateSpace};
+use crate::task::{Action, State, StateId, StateSpace};
 
 /// A profile met in a [`JointSpace`], by its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -98,9 +98,25 @@ impl CombinationNumbers {
 }
 
 impl JointSpace {
-    /// The empty space of a problem in which every belief is listed.
+    /// The empty space of a problem in which every belief is listed, for which an observer's initial belief has to fit into
+    /// the memory.
     pub fn listing(problem: Arc<Problem>, limits: Limits) -> Self {
         Self::new(problem, limits.with_listed(usize::MAX))
+    }
+
+    /// Checks that the initial beliefs can be listed.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] where one has more states than the memory holds.
+    pub fn check_lists(&mut self) -> Result<(), LimitReached> {
+        let profile = self.initial().profile;
+        for (observer, beliefs) in self.beliefs.iter().enumerate() {
+            if beliefs.members(self.belief(profile, observer)).listed().is_none() {
+                self.limits.check_bytes(u64::MAX)?;
+            }
+        }
+        Ok(())
     }
 
     /// The empty space of a problem; `limits` say how many states of a belief are listed.
@@ -199,12 +215,33 @@ impl JointSpace {
         let state = self.states.intern(problem.task().initial_state());
         let mut profile = Vec::with_capacity(self.beliefs.len());
         for (observer, beliefs) in problem.observers().iter().zip(&mut self.beliefs) {
-            let members = observer.initial_belief.iter().map(|s| self.states.intern(s)).collect();
-            profile.push(beliefs.intern(&self.states, members, &self.limits).0);
+            let goals = problem.goals().iter().map(|goal| &*goal.condition);
+            let believed = &observer.initial_belief;
+            profile.push(beliefs.initial(&mut self.states, believed, goals, &self.limits).0);
         }
         let initial = Node { state, profile: ProfileId(self.profiles.intern(&profile)) };
         self.initial = Some(initial);
         initial
+    }
+
+    /// The states that an observer holds possible at first: all of them where they are listed, else some, and states in which
+    /// a goal holds among them.
+    pub(crate) fn believed_at_first(&mut self, observer: usize, goal: usize) -> Vec<StateId> {
+        let problem = Arc::clone(&self.problem);
+        let believed = &problem.observers()[observer].initial_belief;
+        let intern = |state: &State| self.states.intern(state);
+        match believed.listed() {
+            Some(list) => {
+                let mut list: Vec<StateId> = list.iter().map(intern).collect();
+                list.sort_unstable();
+                list.dedup();
+                list
+            }
+            None => {
+                let condition = &*problem.goals()[goal].condition;
+                believed.some_states([condition].into_iter()).iter().map(intern).collect()
+            }
+        }
     }
 
     /// The profile with these beliefs, one for each observer.

@@ -15,9 +15,10 @@ pub(crate) use joint_space::{JointSpace, Node, ProfileId};
 pub use naming::{Part, StateLabel, StateNaming, Value};
 pub(crate) use tuples::Tuples;
 
+pub use crate::belief::{InitialBelief, StateCount};
 use crate::goal_difference::{GoalSet, goal_difference};
 use crate::sensor::Sensor;
-use crate::task::{Fact, State, Task};
+use crate::task::{Fact, Task};
 
 /// Whose side an observer is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -57,7 +58,7 @@ pub struct Observer {
     /// What it sees of a step.
     pub sensor: Arc<Sensor>,
     /// The states it holds possible before the first step.
-    pub initial_belief: Vec<State>,
+    pub initial_belief: InitialBelief,
 }
 
 /// Why a problem cannot be made.
@@ -150,6 +151,16 @@ impl Problem {
             }
         }
         Ok(Self { task: Arc::new(task), goals, true_goal, observers, naming })
+    }
+
+    /// The same problem; the initial beliefs are not listed.
+    #[cfg(test)]
+    pub(crate) fn with_unlisted_beliefs(&self) -> Self {
+        let mut other = self.clone();
+        for observer in &mut other.observers {
+            observer.initial_belief = observer.initial_belief.unlisted(&self.task);
+        }
+        other
     }
 
     /// The task of the actor.

@@ -64,7 +64,7 @@ impl BeliefReport {
     /// use mo_copp::report::BeliefReport;
     /// let document = Document::parse(&std::fs::read_to_string("examples/blocksworld.json")?)?;
     /// let problem = document.problem()?;
-    /// let report = BeliefReport::new(&problem, &problem.observers()[0].initial_belief);
+    /// let report = BeliefReport::new(&problem, problem.observers()[0].initial_belief.listed().unwrap_or(&[]));
     /// assert_eq!(report.states.as_f64(), 1.0);
     /// assert!(report.goals.iter().all(|goal| goal.as_f64() == 0.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -37,6 +37,8 @@ mod portfolio;
 pub mod remedy;
 mod run;
 mod setters;
+#[cfg(test)]
+mod tests;
 
 pub use classical::{ClassicalOutcome, ClassicalRun};
 pub use error::SolveError;

@@ -1,6 +1,6 @@
 //! Makes a task, and checks once what the rest of the program relies on.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use rustc_hash::FxHashMap;
 use thiserror::Error;
@@ -158,6 +158,7 @@ impl TaskBuilder {
                 costs.into_boxed_slice()
             }),
             successors,
+            group_order: OnceLock::new(),
         })
     }
 

@@ -15,12 +15,13 @@
 
 mod builder;
 mod fact;
+mod group_order;
 mod operator;
 mod space;
 mod state;
 mod successors;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 pub use builder::{TaskBuilder, TaskError};
 pub use fact::Fact;
@@ -31,6 +32,7 @@ pub(crate) use space::{StateId, StateSpace};
 pub use state::State;
 
 use fact::Layout;
+use group_order::GroupOrder;
 use successors::SuccessorGenerator;
 
 /// A grounded STRIPS task, checked by [`TaskBuilder`].
@@ -46,6 +48,8 @@ pub struct Task {
     goal: Vec<Fact>,
     costs: Option<Box<[u64]>>,
     successors: SuccessorGenerator,
+    /// Made when it is asked for.
+    group_order: OnceLock<GroupOrder>,
 }
 
 impl Task {
@@ -130,6 +134,11 @@ impl Task {
     /// How facts are packed into the words of a state.
     pub(crate) fn layout(&self) -> &Layout {
         &self.layout
+    }
+
+    /// An order of the groups in which those that operators touch together are near. Worked out once.
+    pub(crate) fn group_order(&self) -> &GroupOrder {
+        self.group_order.get_or_init(|| GroupOrder::new(&self.layout, &self.operators))
     }
 
     /// The groups of facts of which at most one holds in any state (see [`TaskBuilder::exclusive`]), each

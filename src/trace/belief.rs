@@ -9,6 +9,7 @@ use super::OperatorsByFact;
 use crate::belief::StateCount;
 use crate::belief::diagram::{Diagrams, SetId, SymbolRelations};
 use crate::limits::{LimitReached, Limits};
+use crate::problem::Observer;
 use crate::sensor::{Sensor, Symbol};
 use crate::task::{Fact, State, Task};
 
@@ -67,6 +68,19 @@ impl TracedBelief {
         states.sort_unstable();
         states.dedup();
         Self(Form::Listed(states))
+    }
+
+    /// What an observer believes at first.
+    pub(super) fn initial(task: &Arc<Task>, observer: &Observer, limits: Limits) -> Self {
+        match observer.initial_belief.diagram() {
+            None => Self::listed(observer.initial_belief.listed().unwrap_or_default().to_vec()),
+            Some((known, set)) => {
+                let mut diagrams = Diagrams::new(Arc::clone(task), limits);
+                let set = diagrams.adopt(known, set);
+                let relations = SymbolRelations::new(task, &observer.sensor);
+                Self(Form::Diagram(Box::new(Unlisted { diagrams, relations, set })))
+            }
+        }
     }
 
     /// How many states there are.
@@ -195,7 +209,7 @@ impl TracedBelief {
             diagrams.allow(usize::MAX);
             // Earlier beliefs are not met again.
             if diagrams.bytes() + relations.bytes() > BYTES_BEFORE_FORGETTING {
-                (*diagrams, *set) = diagrams.alone(*set)?;
+                (*diagrams, *set) = diagrams.alone(*set);
                 relations.forget_images();
             }
         }

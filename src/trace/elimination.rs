@@ -82,7 +82,10 @@ pub fn elimination(
     let observer = &problem.observers()[observer];
     let sensor = &observer.sensor;
     let holds = |words: &[u64]| task.satisfies(words, condition);
-    let mut belief = observer.initial_belief.clone();
+    let Some(believed) = observer.initial_belief.listed() else {
+        return Err(PlanError::TooManyStates { step: 0, limit: MAX_STATES });
+    };
+    let mut belief = believed.to_vec();
     belief.sort_unstable();
     belief.dedup();
     let mut last = None;

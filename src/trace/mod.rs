@@ -137,13 +137,13 @@ impl<'a> Replay<'a> {
         let task = problem.task();
         let label = |words: &[u64]| problem.label(words).to_string();
         let (path, states) = execute(task, plan, label)?;
-        let first = |observer: &Observer| TracedBelief::listed(observer.initial_belief.clone());
+        let budget = Budget::full();
+        let first = |observer: &Observer| TracedBelief::initial(task, observer, budget.limits);
         let beliefs = problem.observers().iter().map(first).collect();
         let operators = OperatorsByFact::new(task);
         // Where no diagram is affordable, all beliefs are listed.
         let listed = if suits(task) { crate::limits::LISTED_STATES } else { usize::MAX };
         let all_alive = vec![false; problem.observers().len()];
-        let budget = Budget::full();
         Ok(Self { problem, operators, path, states, at: 0, beliefs, listed, budget, all_alive })
     }
 

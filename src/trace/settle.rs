@@ -78,7 +78,7 @@ pub(crate) fn open_goals(
 ) -> GoalSet {
     let task = problem.task();
     let belief = updates.map(|updates| {
-        let first = updates.of_states(task, &observer.initial_belief);
+        let first = updates.initial(task, &observer.initial_belief);
         let last = seen.iter().fold(first, |belief, symbol| updates.update(&belief, *symbol));
         (updates, last)
     });
@@ -105,7 +105,7 @@ fn known(
     let task = problem.task();
     let diagrams = suits(task);
     let mut budget = Budget::of_details(limits);
-    let mut belief = TracedBelief::listed(observer.initial_belief.clone());
+    let mut belief = TracedBelief::initial(task, observer, budget.limits);
     for &symbol in seen {
         belief
             .update(task, operators, &observer.sensor, symbol, LISTED_STATES, &mut budget)

@@ -79,6 +79,27 @@ fn both_forms_of_a_belief_say_the_same() {
     assert!(unlisted > 200, "{unlisted}");
 }
 
+#[test]
+fn initial_beliefs_that_are_not_listed_say_the_same() {
+    let mut dice = Dice::new(23);
+    let mut compared = 0;
+    for domain in Domain::ALL {
+        for seed in 1..=4 {
+            let problem = domain.draw(seed).unwrap().document.problem().unwrap();
+            let other = problem.with_unlisted_beliefs();
+            let plan = walk(&problem, &mut dice, 5);
+            let (listed, _) = told(&problem, &plan, usize::MAX);
+            let (said, unlisted) = told(&other, &plan, usize::MAX);
+            assert!(unlisted > 0);
+            assert_eq!(said, listed, "{} {seed}", domain.name());
+            let why = elimination(&other, &plan, 0, 0, plan.len());
+            assert!(matches!(why, Err(PlanError::TooManyStates { step: 0, .. })), "{why:?}");
+            compared += said.len();
+        }
+    }
+    assert!(compared > 300, "{compared}");
+}
+
 /// Ten packages in two cities: the enemy, which sees names of operators alone, soon believes more states than any list
 /// holds.
 #[test]

@@ -4,7 +4,40 @@ use mo_copp::problem::Role;
 
 use super::dice::Dice;
 use super::oracle::Wish;
+use super::strips::{Eye, Facts, Op, Strips};
 use super::table::{Set, Table, Watcher};
+
+/// A tiny STRIPS problem with two observers, whose believed states are reachable.
+pub fn strips(dice: &mut Dice) -> Strips {
+    let facts = dice.between(3, 5);
+    let some = |dice: &mut Dice, chance: usize| -> Facts {
+        (0..facts).filter(|_| dice.percent(chance)).map(|fact| 1 << fact).sum()
+    };
+    let op = |name: usize, dice: &mut Dice| {
+        let (pre, add) = (some(dice, 30), some(dice, 30));
+        Op { name: format!("a{name}"), pre, add, del: some(dice, 40) & !add }
+    };
+    let ops: Vec<Op> = (0..dice.between(2, 5)).map(|name| op(name, dice)).collect();
+    let start = some(dice, 50);
+    let walk = |dice: &mut Dice| {
+        (0..dice.below(5)).fold(start, |state, _| {
+            let op = &ops[dice.below(ops.len())];
+            if state & op.pre == op.pre { state & !op.del | op.add } else { state }
+        })
+    };
+    let mut goals = vec![walk(dice)];
+    goals.extend((0..dice.between(1, 3)).map(|_| some(dice, 40)));
+    let eyes = PAIR.map(|role| {
+        let mut belief = vec![start];
+        belief.extend((0..dice.below(3)).map(|_| walk(dice)));
+        belief.sort_unstable();
+        belief.dedup();
+        let seen = ["x", "y", "z"];
+        let symbols = ops.iter().map(|_| (some(dice, 20), dice.pick(&seen), dice.pick(&seen)));
+        Eye { role, belief, symbols: symbols.collect() }
+    });
+    Strips { facts, ops, start, goals, eyes: eyes.into() }
+}
 
 /// How large a random problem is, at most.
 #[derive(Debug, Clone, Copy)]

@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use mo_copp::domain::Document;
+use mo_copp::limits::LimitReached;
 use mo_copp::plan::Plan;
-use mo_copp::problem::Problem;
-use mo_copp::solver::{Options, Solver, Status};
-use mo_copp::trace::{Trace, trace};
+use mo_copp::problem::{Problem, StateCount};
+use mo_copp::solver::{Horizon, Options, Solver, Status};
+use mo_copp::trace::{Trace, pass, trace};
 
 use super::Change::{Drop, Put};
 use super::{changed, check, documented, message};
@@ -606,8 +607,18 @@ fn more_than_the_loader_takes() {
         message(&document.to_string()),
         "observers.adversarial.sensor: found 1001 rules, expected at most 1000"
     );
-    // More states than anybody goes through.
-    let lamps: Vec<String> = (0..24).map(|lamp| format!("l{lamp}")).collect();
+    // More groups of facts than a diagram has levels, and more states than anybody goes through.
+    let found = message(&lamps(1100));
+    assert_eq!(
+        found,
+        "observers.adversarial.initial_belief.reachable: found a condition over too many states \
+         (memory limit reached: 512 MiB of states, beliefs and nodes), expected a task with fewer reachable states, or a list of states"
+    );
+}
+
+/// Lamps that can be lit, each by an action; the enemy knows of one that is out.
+fn lamps(count: usize) -> String {
+    let lamps: Vec<String> = (0..count).map(|lamp| format!("l{lamp}")).collect();
     let text = serde_json::json!({
         "format": "pddl",
         "domain": "(define (domain lamps) (:predicates (lit ?x) (out ?x))
@@ -620,12 +631,32 @@ fn more_than_the_loader_takes() {
             "adversarial": {"initial_belief": {"reachable": "(out l2)"}, "sensor": "{name}"},
             "cooperative": {"sensor": "{arguments}"}},
     });
-    let found = message(&text.to_string());
-    assert!(
-        found.starts_with(
-            "observers.adversarial.initial_belief.reachable: found a condition over more than"
-        ) && found
-            .ends_with("states, expected a task with fewer reachable states, or a list of states"),
-        "{found}"
-    );
+    text.to_string()
+}
+
+/// 2⁵⁹ states are believed at first, and none of them is listed.
+#[test]
+fn more_reachable_states_than_any_list_holds() {
+    let problem = Arc::new(Document::parse(&lamps(60)).unwrap().problem().unwrap());
+    let believed = &problem.observers()[0].initial_belief;
+    assert_eq!(believed.listed(), None);
+    assert_eq!(believed.count(), StateCount::Exact(1 << 59));
+    assert!(believed.contains(problem.task().initial_state()));
+    let plan = Plan::from_names(problem.task(), &["(light l0)"]).unwrap();
+    let mut told = Vec::new();
+    pass(&problem, &plan, |step| {
+        told.push((step.beliefs[0].count(), step.survivors[0].len()));
+        Ok(())
+    })
+    .unwrap();
+    // A lamp is lit, perhaps l2.
+    assert_eq!(told[1], (StateCount::Exact((1 << 60) - 1), 2));
+    for solver in [Solver::Exact, Solver::Search, Solver::Satisficing] {
+        let outcome = solve(&problem, &Options::new(solver));
+        assert_eq!(outcome.goal_difference, Some(1.0), "{}", solver.name());
+    }
+    let mut options = Options::new(Solver::Ip);
+    options.horizon = Horizon::Steps(1);
+    let outcome = solve(&problem, &options);
+    assert!(matches!(outcome.limit, Some(LimitReached::Memory { .. })), "{outcome:?}");
 }

@@ -64,7 +64,7 @@ fn a_state_that_another_one_makes_changeable() {
     let belief = json!([["(p b)"], ["(ready)"]]);
     let text = document(domain, "(p b)", &json!({"initial_belief": belief, "sensor": "{name}"}));
     let problem = Document::parse(&text).unwrap().problem().unwrap();
-    let states = &problem.observers()[0].initial_belief;
+    let states = problem.observers()[0].initial_belief.listed().unwrap();
     assert_eq!(states.len(), 2);
     assert_ne!(states[0], states[1]);
 }

@@ -1,6 +1,6 @@
 //! What a set of states comes to: its size, in how many of its states each fact holds, some of its states.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::task::{Fact, State};
 
@@ -89,6 +89,25 @@ impl Diagrams {
         sum
     }
 
+    /// The values of each group that occur in some state of a set, in order. Linear in its nodes.
+    pub fn values(&self, set: SetId) -> Vec<Vec<u32>> {
+        let mut found = vec![Vec::new(); self.depth() as usize];
+        let mut met = FxHashSet::from_iter([SetId::EMPTY, SetId::END]);
+        let mut left = vec![set];
+        while let Some(set) = left.pop() {
+            if met.insert(set) {
+                let here = &mut found[self.group(set)];
+                here.extend(self.branches(set).iter().map(|branch| branch.value));
+                left.extend(self.branches(set).iter().map(|branch| branch.below));
+            }
+        }
+        for values in &mut found {
+            values.sort_unstable();
+            values.dedup();
+        }
+        found
+    }
+
     /// Whether a set has more than so many states. Each node is gone through once, however many sets are asked for.
     pub fn has_more_than(&mut self, set: SetId, states: usize) -> bool {
         for id in self.counts.len()..self.len() {
@@ -114,7 +133,7 @@ impl Diagrams {
         let mut counts = vec![StateCount::Exact(0); task.fact_count()];
         let mut by_place = FxHashMap::default();
         for fact in task.facts() {
-            let place = (task.layout().group(fact) as u32, task.layout().value(fact) as u32);
+            let place = (self.level_of(fact), task.layout().value(fact) as u32);
             by_place.insert(place, fact);
         }
         let mut below = FxHashMap::default();
@@ -145,7 +164,7 @@ impl Diagrams {
         let layout = self.task().layout();
         let mut wanted = std::collections::BTreeMap::new();
         for &fact in condition {
-            let (level, value) = (layout.group(fact) as u32, layout.value(fact) as u32);
+            let (level, value) = (self.level_of(fact), layout.value(fact) as u32);
             if wanted.insert(level, value).is_some_and(|known| known != value) {
                 return StateCount::Exact(0);
             }
@@ -192,7 +211,7 @@ impl Diagrams {
             return;
         }
         if set == SetId::END {
-            states.push(self.task().layout().state_of_values(values));
+            states.push(self.state(values));
             return;
         }
         for branch in self.branches(set) {
@@ -216,7 +235,7 @@ impl Spread {
             return;
         }
         if set == SetId::END {
-            states.push(diagrams.task().layout().state_of_values(&self.values));
+            states.push(diagrams.state(&self.values));
             return;
         }
         let all = diagrams.count_below(set, &mut self.done).as_f64();

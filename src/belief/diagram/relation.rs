@@ -15,7 +15,7 @@ use crate::limits::LimitReached;
 use crate::sensor::{Sensor, Symbol};
 use crate::task::{Fact, Operator, OperatorId, State, Task};
 
-use super::store::{Branch, Diagrams, SetId};
+use super::store::{Branch, Diagrams, SetId, state};
 
 /// What a step does from a level on: it keeps all values, or the map of the level and what it does below.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -26,10 +26,10 @@ const KEEPS: Tail = Tail(0);
 
 /// A set of tails, by its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-struct TailSet(u32);
+pub(super) struct TailSet(u32);
 
 /// New values, each with what is left to do below.
-type NextValues = Arc<[(u32, TailSet)]>;
+pub(super) type NextValues = Arc<[(u32, TailSet)]>;
 
 /// The map of one level: the new value of each old one, none where the step can't be taken.
 type Map = Box<[Option<u32>]>;
@@ -49,34 +49,40 @@ pub struct SymbolRelations {
     images: FxHashMap<(SetId, TailSet), SetId>,
 }
 
-/// What one step asks of the values before and after it, and how it changes them.
+/// What one step asks of the values before and after it, and how it changes them, by levels.
 #[derive(Debug, Clone, Default)]
 struct Step {
-    /// Value that a group must have before.
+    /// Value that a level must have before.
     before: BTreeMap<usize, u32>,
-    /// Facts that the operator adds, as values of groups.
+    /// Facts that the operator adds, as values of levels.
     add: BTreeMap<usize, u32>,
     /// Values that the operator takes away.
     delete: BTreeMap<usize, Vec<u32>>,
-    /// Value that a group must have afterwards.
+    /// Value that a level must have afterwards.
     after: BTreeMap<usize, u32>,
-    /// Values that a group must not have afterwards.
+    /// Values that a level must not have afterwards.
     not_after: BTreeMap<usize, Vec<u32>>,
 }
 
 impl Step {
     fn of(task: &Task, operator: &Operator) -> Self {
-        let layout = task.layout();
-        let place = |fact: &Fact| (layout.group(*fact), layout.value(*fact) as u32);
+        let (layout, order) = (task.layout(), task.group_order());
+        let place = |fact: &Fact| (order.place(layout.group(*fact)), layout.value(*fact) as u32);
         let mut step = Self {
             before: operator.preconditions.iter().map(place).collect(),
             add: operator.add.iter().map(place).collect(),
             ..Self::default()
         };
-        for (group, value) in operator.delete.iter().map(place) {
-            step.delete.entry(group).or_default().push(value);
+        for (level, value) in operator.delete.iter().map(place) {
+            step.delete.entry(level).or_default().push(value);
         }
         step
+    }
+
+    /// The first level that is touched; none where no level is.
+    fn first_level(&self) -> Option<usize> {
+        let levels = [self.before.keys().next(), self.add.keys().next(), self.delete.keys().next()];
+        levels.into_iter().flatten().copied().min()
     }
 
     /// The map of a level; none where it keeps every value.
@@ -106,8 +112,9 @@ impl Step {
         let layout = task.layout();
         let mut step = self.clone();
         for &fact in facts {
-            let (group, value) = (layout.group(fact), layout.value(fact) as u32);
-            if step.after.insert(group, value).is_some_and(|known| known != value) {
+            let level = task.group_order().place(layout.group(fact));
+            let value = layout.value(fact) as u32;
+            if step.after.insert(level, value).is_some_and(|known| known != value) {
                 return None;
             }
         }
@@ -121,8 +128,9 @@ impl Step {
         let mut steps = Vec::new();
         for (place, &fact) in facts.iter().enumerate() {
             if let Some(mut step) = self.with(task, &facts[..place]) {
-                let (group, value) = (layout.group(fact), layout.value(fact) as u32);
-                step.not_after.entry(group).or_default().push(value);
+                let level = task.group_order().place(layout.group(fact));
+                let value = layout.value(fact) as u32;
+                step.not_after.entry(level).or_default().push(value);
                 steps.push(step);
             }
         }
@@ -164,7 +172,7 @@ impl SymbolRelations {
         let mut roots: Vec<Vec<Tail>> = vec![Vec::new(); sensor.symbol_count()];
         for (id, operator) in task.operator_ids() {
             for (step, symbol) in split(task, id, vec![Step::of(task, operator)], sensor) {
-                roots[symbol.index()].extend(relations.tail(task, &step, &mut numbers));
+                roots[symbol.index()].extend(relations.tail(task, &step, 0, &mut numbers));
             }
         }
         relations.symbols = roots.into_iter().map(|tails| relations.set(tails)).collect();
@@ -194,7 +202,7 @@ impl SymbolRelations {
                 steps = next;
             }
             for (step, seen) in steps {
-                let Some(tail) = relations.tail(task, &step, &mut numbers) else { continue };
+                let Some(tail) = relations.tail(task, &step, 0, &mut numbers) else { continue };
                 let label = number(&seen) as usize;
                 if roots.len() <= label {
                     roots.resize(label + 1, Vec::new());
@@ -204,6 +212,26 @@ impl SymbolRelations {
         }
         relations.symbols = roots.into_iter().map(|tails| relations.set(tails)).collect();
         relations
+    }
+
+    /// The steps of all operators by the first level that they touch: what they do from there on. There are no symbols.
+    pub(super) fn by_first_level(task: &Task) -> (Self, Vec<TailSet>) {
+        let mut relations = Self::empty();
+        let mut numbers = Numbers::default();
+        let mut levels: Vec<Vec<Tail>> = vec![Vec::new(); task.layout().group_count()];
+        for operator in task.operators() {
+            let step = Step::of(task, operator);
+            if let Some(first) = step.first_level() {
+                levels[first].extend(relations.tail(task, &step, first, &mut numbers));
+            }
+        }
+        let sets = levels.into_iter().map(|tails| relations.set(tails)).collect();
+        (relations, sets)
+    }
+
+    /// Whether steps keep all values.
+    pub(super) fn keeps(&self, steps: TailSet) -> bool {
+        *self.sets[steps.0 as usize] == [KEEPS]
     }
 
     fn empty() -> Self {
@@ -223,11 +251,17 @@ impl SymbolRelations {
         self.symbols.len()
     }
 
-    /// The tail of a step at the first level; none where it can never be taken.
-    fn tail(&mut self, task: &Task, step: &Step, numbers: &mut Numbers) -> Option<Tail> {
+    /// The tail of a step from a level on; none where it can never be taken.
+    fn tail(
+        &mut self,
+        task: &Task,
+        step: &Step,
+        from: usize,
+        numbers: &mut Numbers,
+    ) -> Option<Tail> {
         let mut tail = KEEPS;
-        for level in (0..task.layout().group_count()).rev() {
-            let values = task.layout().group_size(level) + 1;
+        for level in (from..task.layout().group_count()).rev() {
+            let values = task.layout().group_size(task.group_order().group(level)) + 1;
             let map = match step.map(level, values) {
                 Some(map) if map.iter().all(Option::is_none) => return None,
                 Some(map) => map,
@@ -262,7 +296,7 @@ impl SymbolRelations {
     }
 
     /// What a set of tails makes of an old value: the new ones, each with what is left to do.
-    fn step(&mut self, set: TailSet, value: u32) -> NextValues {
+    pub(super) fn step(&mut self, set: TailSet, value: u32) -> NextValues {
         if let Some(known) = self.steps.get(&(set, value)) {
             return Arc::clone(known);
         }
@@ -321,13 +355,14 @@ impl SymbolRelations {
         symbol: Symbol,
         target: &State,
     ) -> Option<State> {
-        let layout = diagrams.task().layout();
+        let task = diagrams.task();
+        let (layout, order) = (task.layout(), task.group_order());
         let wanted: Vec<u32> = (0..layout.group_count())
-            .map(|level| layout.group_value(target.words(), level) as u32)
+            .map(|level| layout.group_value(target.words(), order.group(level)) as u32)
             .collect();
         let tails = self.sets[self.symbols.get(symbol.index())?.0 as usize].to_vec();
         let mut before = Backwards { wanted, dead: FxHashSet::default(), values: Vec::new() };
-        before.walk(self, diagrams, belief, tails).then(|| layout.state_of_values(&before.values))
+        before.walk(self, diagrams, belief, tails).then(|| state(task, &before.values))
     }
 
     /// Where a tail leads from an old value: the new one, and what is left to do.

@@ -59,6 +59,13 @@ fn hash(level: u32, branches: &[Branch]) -> u64 {
     BuildHasherDefault::<FxHasher>::default().hash_one((level, branches))
 }
 
+/// The state with these values, one of each level.
+pub(super) fn state(task: &Task, values: &[u32]) -> State {
+    let (layout, order) = (task.layout(), task.group_order());
+    let value = |group: usize| values[order.place(group)];
+    layout.state_of_values(&(0..layout.group_count()).map(value).collect::<Vec<_>>())
+}
+
 impl Diagrams {
     /// No set but the empty one.
     pub fn new(task: Arc<Task>, limits: Limits) -> Self {
@@ -86,6 +93,21 @@ impl Diagrams {
     /// The task whose states the sets hold.
     pub fn task(&self) -> &Arc<Task> {
         &self.task
+    }
+
+    /// The group of facts of a node's level.
+    pub fn group(&self, set: SetId) -> usize {
+        self.task.group_order().group(self.level(set) as usize)
+    }
+
+    /// The level of a fact's group.
+    pub(super) fn level_of(&self, fact: Fact) -> u32 {
+        self.task.group_order().place(self.task.layout().group(fact)) as u32
+    }
+
+    /// The state with these values, one of each level.
+    pub(super) fn state(&self, values: &[u32]) -> State {
+        state(&self.task, values)
     }
 
     /// How many levels a diagram has.
@@ -145,8 +167,19 @@ impl Diagrams {
     ///
     /// [`LimitReached::Memory`] when the nodes outgrow the limit.
     pub(super) fn node(&mut self, level: u32, branches: &[Branch]) -> Result<SetId, LimitReached> {
+        let before = self.len();
+        let node = self.intern(level, branches);
+        self.since_check += (self.len() - before) as u32;
+        if self.since_check >= NODES_BETWEEN_CHECKS {
+            self.since_check = 0;
+            self.check(0)?;
+        }
+        Ok(node)
+    }
+
+    fn intern(&mut self, level: u32, branches: &[Branch]) -> SetId {
         if branches.is_empty() {
-            return Ok(SetId::EMPTY);
+            return SetId::EMPTY;
         }
         debug_assert!(branches.is_sorted_by(|a, b| a.value < b.value));
         debug_assert!(branches.iter().all(|branch| branch.below != SetId::EMPTY));
@@ -164,52 +197,43 @@ impl Diagrams {
             },
         );
         match entry {
-            hashbrown::hash_table::Entry::Occupied(known) => Ok(SetId(*known.get())),
+            hashbrown::hash_table::Entry::Occupied(known) => SetId(*known.get()),
             hashbrown::hash_table::Entry::Vacant(vacant) => {
                 let id = ends.len() as u32;
                 vacant.insert(id);
                 self.branches.extend_from_slice(branches);
                 self.ends.push(self.branches.len());
                 self.levels.push(level);
-                self.since_check += 1;
-                if self.since_check >= NODES_BETWEEN_CHECKS {
-                    self.since_check = 0;
-                    self.check(0)?;
-                }
-                Ok(SetId(id))
+                SetId(id)
             }
         }
     }
 
     /// The same set alone, in a store of its own.
-    ///
-    /// # Errors
-    ///
-    /// [`LimitReached::Memory`] when its nodes outgrow the limit.
-    pub fn alone(&self, set: SetId) -> Result<(Self, SetId), LimitReached> {
+    pub fn alone(&self, set: SetId) -> (Self, SetId) {
         let mut other = Self::new(Arc::clone(&self.task), self.limits);
-        let mut copies =
-            FxHashMap::from_iter([(SetId::EMPTY, SetId::EMPTY), (SetId::END, SetId::END)]);
-        let set = self.copy_to(&mut other, set, &mut copies)?;
-        Ok((other, set))
+        let set = other.adopt(self, set);
+        (other, set)
     }
 
-    fn copy_to(
-        &self,
-        other: &mut Self,
-        set: SetId,
-        copies: &mut FxHashMap<SetId, SetId>,
-    ) -> Result<SetId, LimitReached> {
+    /// A set of another store for states of the same task, whatever the limit. Linear in its nodes.
+    pub fn adopt(&mut self, other: &Self, set: SetId) -> SetId {
+        let mut copies =
+            FxHashMap::from_iter([(SetId::EMPTY, SetId::EMPTY), (SetId::END, SetId::END)]);
+        other.copy_to(self, set, &mut copies)
+    }
+
+    fn copy_to(&self, other: &mut Self, set: SetId, copies: &mut FxHashMap<SetId, SetId>) -> SetId {
         if let Some(&known) = copies.get(&set) {
-            return Ok(known);
+            return known;
         }
         let mut branches = Vec::with_capacity(self.branches(set).len());
         for &Branch { value, below } in self.branches(set) {
-            branches.push(Branch { value, below: self.copy_to(other, below, copies)? });
+            branches.push(Branch { value, below: self.copy_to(other, below, copies) });
         }
-        let copy = other.node(self.level(set), &branches)?;
+        let copy = other.intern(self.level(set), &branches);
         copies.insert(set, copy);
-        Ok(copy)
+        copy
     }
 
     /// The set of one state.
@@ -221,7 +245,8 @@ impl Diagrams {
         let task = Arc::clone(&self.task);
         let mut below = SetId::END;
         for level in (0..self.depth()).rev() {
-            let value = task.layout().group_value(state.words(), level as usize) as u32;
+            let group = task.group_order().group(level as usize);
+            let value = task.layout().group_value(state.words(), group) as u32;
             below = self.node(level, &[Branch { value, below }])?;
         }
         Ok(below)
@@ -297,11 +322,69 @@ impl Diagrams {
         let layout = self.task.layout();
         let mut wanted: Vec<(u32, u32)> = condition
             .iter()
-            .map(|&fact| (layout.group(fact) as u32, layout.value(fact) as u32))
+            .map(|&fact| (self.level_of(fact), layout.value(fact) as u32))
             .collect();
         wanted.sort_unstable();
         wanted.dedup();
         wanted.is_sorted_by(|a, b| a.0 < b.0).then_some(wanted)
+    }
+
+    /// Whether a state is in the set. Linear in the levels.
+    pub fn contains(&self, set: SetId, state: &State) -> bool {
+        let mut at = set;
+        while at != SetId::END {
+            let wanted = self.task.layout().group_value(state.words(), self.group(at)) as u32;
+            let Some(branch) = self.branches(at).iter().find(|branch| branch.value == wanted)
+            else {
+                return false;
+            };
+            at = branch.below;
+        }
+        true
+    }
+
+    /// The states of the set that satisfy a conjunction of facts. Linear in the nodes of the set.
+    ///
+    /// # Errors
+    ///
+    /// [`LimitReached::Memory`] when the nodes outgrow the limit.
+    pub fn satisfying(&mut self, set: SetId, condition: &[Fact]) -> Result<SetId, LimitReached> {
+        match self.wanted(condition) {
+            Some(wanted) => self.restricted(set, &wanted, &mut FxHashMap::default()),
+            None => Ok(SetId::EMPTY),
+        }
+    }
+
+    fn restricted(
+        &mut self,
+        set: SetId,
+        wanted: &[(u32, u32)],
+        done: &mut FxHashMap<SetId, SetId>,
+    ) -> Result<SetId, LimitReached> {
+        let Some(&(level, value)) = wanted.first() else { return Ok(set) };
+        if set == SetId::EMPTY {
+            return Ok(set);
+        }
+        if let Some(&known) = done.get(&set) {
+            return Ok(known);
+        }
+        let here = self.level(set);
+        let mut branches = Vec::new();
+        for index in 0..self.branches(set).len() {
+            let branch = self.branches(set)[index];
+            let left = match here == level {
+                true if branch.value != value => continue,
+                true => &wanted[1..],
+                false => wanted,
+            };
+            let below = self.restricted(branch.below, left, done)?;
+            if below != SetId::EMPTY {
+                branches.push(Branch { below, ..branch });
+            }
+        }
+        let kept = self.node(here, &branches)?;
+        done.insert(set, kept);
+        Ok(kept)
     }
 
     /// A state of the set that satisfies a conjunction of facts.
@@ -330,7 +413,7 @@ impl Diagrams {
             values.push(value);
             at = below;
         }
-        Some(self.task.layout().state_of_values(&values))
+        Some(self.state(&values))
     }
 
     /// Whether some state of the set satisfies a conjunction of facts. Linear in the nodes of the set; makes none.

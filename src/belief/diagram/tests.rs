@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::measure::StateCount;
-use super::{Diagrams, SetId, SymbolRelations};
+use super::{Diagrams, SetId, SymbolRelations, reachable};
 use crate::common::Dice;
 use crate::common::random::{self, MEDIUM, PAIR};
 use crate::domain::Document;
 use crate::domain::generate::Domain;
 use crate::limits::Limits;
 use crate::problem::Problem;
-use crate::task::{OperatorId, State};
+use crate::task::{OperatorId, State, StateSpace};
 
 /// The definition of the update, state by state.
 fn update(
@@ -43,8 +43,9 @@ fn compare(problem: &Problem, dice: &mut Dice, steps: usize, most: usize) -> usi
     for (number, observer) in problem.observers().iter().enumerate() {
         let mut diagrams = Diagrams::new(Arc::clone(task), Limits::default());
         let mut relations = SymbolRelations::new(task, &observer.sensor);
-        let mut belief: BTreeSet<State> = observer.initial_belief.iter().cloned().collect();
-        let mut set = diagrams.of_states(&observer.initial_belief).unwrap();
+        let mut belief: BTreeSet<State> =
+            observer.initial_belief.listed().unwrap().iter().cloned().collect();
+        let mut set = diagrams.of_states(observer.initial_belief.listed().unwrap()).unwrap();
         let mut actor = task.initial_state().clone();
         for _ in 0..steps {
             let mut applicable: Vec<OperatorId> = Vec::new();
@@ -128,6 +129,64 @@ fn cameras_and_rules_over_resulting_states_agree() {
     }
 }
 
+/// The reachable states of a task, with and without a condition, against those gone through one by one; how many there
+/// are, none where they are more than `most`.
+fn reachable_states_agree(problem: &Problem, most: usize) -> Option<usize> {
+    let task = problem.task();
+    let mut space = StateSpace::new(Arc::clone(task));
+    let mut next = Some(space.intern(task.initial_state()));
+    let mut listed = Vec::new();
+    while let Some(state) = next {
+        listed.push(space.state(state));
+        space.expand(state);
+        next = space.after(state);
+        if space.len() > most {
+            return None;
+        }
+    }
+    let (mut diagrams, all) = reachable(task, Limits::default()).unwrap();
+    assert_eq!(diagrams.of_states(&listed).unwrap(), all);
+    assert_eq!(diagrams.count(all), StateCount::Exact(listed.len() as u64));
+    let facts = task.facts().map(|fact| vec![fact]);
+    for condition in problem.goals().iter().map(|goal| goal.condition.clone()).chain(facts) {
+        let satisfying = diagrams.satisfying(all, &condition).unwrap();
+        let holds = |state: &&State| task.satisfies(state.words(), &condition);
+        let holding: Vec<State> = listed.iter().filter(holds).cloned().collect();
+        assert_eq!(diagrams.of_states(&holding).unwrap(), satisfying);
+        for state in &listed {
+            assert_eq!(diagrams.contains(satisfying, state), holds(&state));
+        }
+        let values = diagrams.values(satisfying);
+        for (group, values) in values.iter().enumerate() {
+            let of = |state: &State| task.layout().group_value(state.words(), group) as u32;
+            let met: BTreeSet<u32> = holding.iter().map(of).collect();
+            assert!(met.iter().eq(values), "group {group}");
+        }
+    }
+    Some(listed.len())
+}
+
+#[test]
+fn reachable_states_are_those_gone_through_one_by_one() {
+    let mut dice = Dice::new(15);
+    let mut states = 0;
+    for _ in 0..1000 {
+        let table = random::table(&mut dice, MEDIUM, &PAIR);
+        states += reachable_states_agree(&table.problem(), 1000).unwrap();
+        let strips = random::strips(&mut dice);
+        states += reachable_states_agree(&strips.judge().problem, 1000).unwrap();
+    }
+    assert!(states > 5_000, "{states}");
+    for domain in Domain::ALL {
+        let drawn = (1..=12).filter_map(|seed| {
+            let problem = domain.draw(seed).unwrap().document.problem().unwrap();
+            reachable_states_agree(&problem, 5_000)
+        });
+        let large = matches!(domain, Domain::Logistics | Domain::Driverlog);
+        assert!(drawn.count() > 0 || large, "{}", domain.name());
+    }
+}
+
 #[test]
 fn groups_as_large_as_a_wide_grid_are_not_for_diagrams() {
     for domain in Domain::ALL {
@@ -148,7 +207,7 @@ fn memory_is_bounded() {
     let mut diagrams = Diagrams::new(Arc::clone(problem.task()), limits);
     let mut relations = SymbolRelations::new(problem.task(), &observer.sensor);
     let mut dice = Dice::new(14);
-    let mut set = diagrams.of_states(&observer.initial_belief).unwrap();
+    let mut set = diagrams.of_states(observer.initial_belief.listed().unwrap()).unwrap();
     let mut actor = problem.task().initial_state().clone();
     for _ in 0..200 {
         let mut applicable = Vec::new();

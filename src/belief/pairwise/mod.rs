@@ -11,6 +11,7 @@
 #[cfg(test)]
 mod tests;
 
+use super::InitialBelief;
 use crate::sensor::{Sensor, Symbol};
 use crate::task::{Fact, Operator, State, Task};
 
@@ -174,6 +175,31 @@ impl PairwiseUpdates {
             }
             for value in ones(&all) {
                 self.join(&mut rows, value, &all);
+            }
+        }
+        self.pack(&rows)
+    }
+
+    /// The pairs of values that an observer can believe at first. Of states that are not listed these are all pairs of values
+    /// that occur.
+    pub fn initial(&self, task: &Task, believed: &InitialBelief) -> PairwiseBelief {
+        let Some((diagrams, set)) = believed.diagram() else {
+            return self.of_states(task, believed.listed().unwrap_or_default());
+        };
+        let mut rows = vec![0; self.values() * self.width];
+        let mut all = vec![0; self.width];
+        let present = diagrams.values(set);
+        for (offset, values) in self.offsets.iter().zip(&present) {
+            for value in values {
+                insert(&mut all, offset + value);
+            }
+        }
+        for (offset, values) in self.offsets.iter().zip(&present) {
+            for value in values.iter().map(|value| offset + value) {
+                self.join(&mut rows, value, &all);
+                let others = values.iter().map(|other| offset + other);
+                let row = &mut rows[value as usize * self.width..][..self.width];
+                others.filter(|other| *other != value).for_each(|other| remove(row, other));
             }
         }
         self.pack(&rows)

@@ -41,11 +41,24 @@ struct Compared {
 
 /// Walks at random; every pair of a belief is in its pairwise belief, and with `exact` nothing else is.
 fn compare(problem: &Problem, dice: &mut Dice, steps: usize, exact: bool, compared: &mut Compared) {
+    compare_from(problem, dice, steps, exact, compared, InitialBelief::clone);
+}
+
+/// The same with another form of what is believed at first.
+fn compare_from(
+    problem: &Problem,
+    dice: &mut Dice,
+    steps: usize,
+    exact: bool,
+    compared: &mut Compared,
+    form: impl Fn(&InitialBelief) -> InitialBelief,
+) {
     let task = problem.task();
     for observer in problem.observers() {
         let updates = PairwiseUpdates::new(task, &observer.sensor).unwrap();
-        let mut belief: BTreeSet<State> = observer.initial_belief.iter().cloned().collect();
-        let mut pairs = updates.of_states(task, &observer.initial_belief);
+        let mut belief: BTreeSet<State> =
+            observer.initial_belief.listed().unwrap().iter().cloned().collect();
+        let mut pairs = updates.initial(task, &form(&observer.initial_belief));
         let mut actor = task.initial_state().clone();
         for _ in 0..steps {
             let mut applicable: Vec<OperatorId> = Vec::new();
@@ -91,6 +104,20 @@ fn of_one_group_the_pairs_are_the_belief() {
     }
     assert!(compared.updates > 10_000, "{}", compared.updates);
     assert_eq!(compared.dead, compared.dead_by_pairs);
+}
+
+#[test]
+fn of_states_that_are_not_listed_no_pair_is_missing() {
+    let mut dice = Dice::new(23);
+    for domain in Domain::ALL {
+        let mut compared = Compared::default();
+        for seed in 1..=4 {
+            let problem = domain.draw(seed).unwrap().document.problem().unwrap();
+            let form = |believed: &InitialBelief| believed.unlisted(problem.task());
+            compare_from(&problem, &mut dice, 8, false, &mut compared, form);
+        }
+        assert!(compared.updates > 20, "{} {}", domain.name(), compared.updates);
+    }
 }
 
 #[test]

@@ -60,7 +60,7 @@ impl Delivery {
                 name: role.name().to_owned(),
                 role,
                 sensor: Arc::new(self.sensor(&task, observer, &packages, &path)?),
-                initial_belief: vec![task.initial_state().clone()],
+                initial_belief: vec![task.initial_state().clone()].into(),
             });
         }
         Problem::new(task, goals, true_goal, observers, StateNaming::Facts)

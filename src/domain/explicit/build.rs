@@ -9,7 +9,7 @@ use crate::document::{DocumentError, Names};
 use crate::domain::observers::{listed, true_goal, unexpected};
 use crate::problem::{Goal, Observer, Problem, Role, StateNaming};
 use crate::sensor::SensorBuilder;
-use crate::task::{Fact, State, Task, TaskBuilder};
+use crate::task::{Fact, Task, TaskBuilder};
 
 /// What an action is called in messages.
 const ACTION: &str = "an action";
@@ -187,7 +187,7 @@ impl Explicit {
             sensor.always(id, symbol);
         }
         let state = |state: &usize| task.state(&resolved.facts[*state]).ok();
-        let initial_belief: Vec<State> = belief.iter().filter_map(state).collect();
+        let initial_belief = belief.iter().filter_map(state).collect();
         let sensor = sensor.build(task).map_err(|error| {
             DocumentError::invalid(format!("{path}.sensor"), error.to_string(), "a symbol")
         })?;

@@ -9,7 +9,7 @@ use crate::domain::Observers;
 use crate::domain::observers::{true_goal, unexpected};
 use crate::problem::{Goal, Observer, Problem, Role, StateLabel, StateNaming};
 use crate::sensor::{Sensor, SensorBuilder};
-use crate::task::{Fact, State, Task};
+use crate::task::{Fact, Task};
 
 /// How a format writes a state.
 pub(in crate::domain) trait Pose: PartialEq {
@@ -148,7 +148,7 @@ impl<S: Pose> Stage<'_, S> {
             Some(belief) => belief.as_slice(),
             None => std::slice::from_ref(self.start),
         };
-        let initial_belief: Vec<State> =
+        let initial_belief =
             belief.iter().filter_map(|state| task.state(&facts(state)).ok()).collect();
         Ok(Observer {
             name: role.name().to_owned(),

@@ -12,15 +12,10 @@ use crate::document::DocumentError;
 use crate::pddl::{
     Atom, ExtraInputs, Grounded, read_atoms, read_condition, read_literals, read_state, unchanging,
 };
-use crate::task::{State, StateId, StateSpace};
+use crate::problem::InitialBelief;
 
 /// The most atoms in all listed states of an observer.
 const MAX_ATOMS: usize = if cfg!(target_arch = "wasm32") { 1_000_000 } else { 10_000_000 };
-
-/// The most states that are gone through for those with a condition, and how many bytes they may
-/// take with their transitions.
-const MAX_STATES: usize = if cfg!(target_arch = "wasm32") { 200_000 } else { 1_000_000 };
-const MAX_BYTES: u64 = if cfg!(target_arch = "wasm32") { 64 << 20 } else { 512 << 20 };
 
 /// An initial belief whose texts are read; states and conditions by their positions in [`ExtraInputs`].
 pub(super) enum Believed {
@@ -88,35 +83,21 @@ impl Believed {
         &self,
         grounded: &Grounded,
         path: &str,
-    ) -> Result<Vec<State>, DocumentError> {
+    ) -> Result<InitialBelief, DocumentError> {
         let task = &grounded.task;
         match self {
-            Self::Start => Ok(vec![task.initial_state().clone()]),
-            Self::States(range) => Ok(grounded.states[range.clone()].to_vec()),
+            Self::Start => Ok(vec![task.initial_state().clone()].into()),
+            Self::States(range) => Ok(grounded.states[range.clone()].to_vec().into()),
             Self::Reachable(condition) => {
                 // The initial state satisfies it, so it can hold.
                 let condition = grounded.conditions[*condition].as_deref().unwrap_or_default();
-                let mut space = StateSpace::new(Arc::new(task.clone()));
-                space.intern(task.initial_state());
-                let mut found = Vec::new();
-                let mut next = 0;
-                while next < space.len() {
-                    let state = StateId(next as u32);
-                    next += 1;
-                    let words = space.words(state);
-                    if task.satisfies(words, condition) {
-                        found.push(State::from_words(words.to_vec()));
-                    }
-                    if space.len() > MAX_STATES || space.bytes() > MAX_BYTES {
-                        let found =
-                            format!("a condition over more than {} states", space.len() - 1);
-                        let expected = "a task with fewer reachable states, or a list of states";
-                        let path = format!("{path}.initial_belief.reachable");
-                        return Err(DocumentError::invalid(path, found, expected));
-                    }
-                    space.expand(state);
-                }
-                Ok(found)
+                let task = Arc::new(task.clone());
+                InitialBelief::reachable(&task, condition).map_err(|limit| {
+                    let found = format!("a condition over too many states ({limit})");
+                    let expected = "a task with fewer reachable states, or a list of states";
+                    let path = format!("{path}.initial_belief.reachable");
+                    DocumentError::invalid(path, found, expected)
+                })
             }
         }
     }

@@ -30,7 +30,8 @@ impl Belief {
         let problem = &subject.problem;
         let mut space = StateSpace::new(problem.task().clone());
         let mut next = None;
-        for state in &problem.observers()[self.watching.observer(problem)].initial_belief {
+        let believed = &problem.observers()[self.watching.observer(problem)].initial_belief;
+        for state in believed.listed().ok_or_else(Unfit::too_large)? {
             let state = space.intern(state);
             next.get_or_insert(state);
         }

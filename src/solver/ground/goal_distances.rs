@@ -207,7 +207,7 @@ impl GoalDistances {
             return;
         }
         let mut least = vec![NEVER; width];
-        let level = diagrams.level(set) as usize;
+        let group = diagrams.group(set);
         for branch in diagrams.branches(set) {
             self.below(diagrams, branch.below, nodes);
             let below = &nodes[branch.below.index() * width..][..width];
@@ -215,7 +215,7 @@ impl GoalDistances {
                 let mut total = below[goal];
                 for &table in &self.goals[goal] {
                     let table = &self.tables[table as usize];
-                    if table.group != level || total == NEVER {
+                    if table.group != group || total == NEVER {
                         continue;
                     }
                     let here = table.distances[branch.value as usize];

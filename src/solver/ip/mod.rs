@@ -116,6 +116,7 @@ pub(super) fn encode(
     horizon: usize,
 ) -> Result<Option<Encoded>, LimitReached> {
     let mut joint = JointSpace::listing(problem, options.limits);
+    joint.check_lists()?;
     let bounds: Bounds = options.heeded_bounds();
     let mut encoded = match options.encoding {
         Encoding::Paper => paper::encode(&mut joint, &bounds, horizon)?,

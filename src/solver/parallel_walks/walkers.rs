@@ -44,9 +44,7 @@ impl Walkers {
         (observer, goal): (usize, usize),
         width: usize,
     ) -> Self {
-        let root = joint.initial();
-        let belief = joint.belief(root.profile, observer);
-        let states = joint.beliefs(observer).list(belief).to_vec();
+        let states = joint.believed_at_first(observer, goal);
         let place = |state: StateId| Place {
             value: estimates.of_state(joint, state, goal),
             state,

@@ -61,7 +61,8 @@ impl<'a> Facts<'a> {
         let task = problem.task().as_ref();
         let layout = task.layout();
         let graphs = TransitionGraphs::new(task);
-        let believed = problem.observers().iter().flat_map(|observer| &observer.initial_belief);
+        let listed = problem.observers().iter().map(|o| o.initial_belief.listed());
+        let believed = listed.collect::<Option<Vec<_>>>()?.into_iter().flatten();
         let starts: Vec<&[u64]> =
             [task.initial_state()].into_iter().chain(believed).map(State::words).collect();
         let values: Vec<Vec<usize>> = (0..layout.group_count())
@@ -288,7 +289,8 @@ impl Invariants {
     fn compute(space: &Space) -> Option<Most> {
         let problem = space.problem();
         let task = problem.task();
-        let believed = problem.observers().iter().map(|o| o.initial_belief.len()).sum::<usize>();
+        let believed = problem.observers().iter().map(|o| o.initial_belief.count().as_f64());
+        let believed = believed.sum::<f64>() as usize;
         if task.fact_count() > FACTS_OF_INVARIANTS
             || task.operators().len() > OPERATORS_OF_INVARIANTS
             || believed > BELIEVED_OF_INVARIANTS
@@ -303,8 +305,9 @@ impl Invariants {
             if watched.role != Role::Adversarial {
                 continue;
             }
+            let believed = watched.initial_belief.listed()?.iter();
             let believed: Vec<Vec<Fact>> =
-                watched.initial_belief.iter().map(|state| task.facts_of(state.words())).collect();
+                believed.map(|state| task.facts_of(state.words())).collect();
             let weights = facts.known_by(&watched.sensor, &believed)?;
             let begins: FxHashSet<Sum> =
                 believed.iter().map(|state| facts.sum(&unchanging, state)).collect();
