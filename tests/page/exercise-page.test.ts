@@ -217,3 +217,41 @@ for (const link of [false, true])
       { quiet: false },
     );
   });
+
+/** What gives a question away, or stands there for nothing. */
+const workplace = ".stage, .stepper, [part=workbench], [role=tab], [part=goals], .problem-bar, [data-board], .exercise";
+
+test("a question that can't be opened shows why and nothing else", async () => {
+  const { exercise, ...problem } = JSON.parse(exerciseText("09-walk-difference"));
+  const impossible = JSON.stringify({ ...problem, exercise: { ...exercise, goal_difference: 1, vary: undefined } });
+  const at =
+    await course(`<mo-copp-playground link="off" name="q"><script type="application/json">${impossible}</script>
+    </mo-copp-playground>`);
+  await visit(
+    async ({ page }) => {
+      await page.goto(at);
+      const one = page.locator("mo-copp-playground");
+      await one.getByRole("alert").getByText("no walk answers the question").waitFor();
+      assert.equal(await one.locator(workplace).count(), 0);
+      assert.equal(await one.getByRole("button", { name: "Close the message" }).count(), 0);
+      // The next problem that is given is shown as ever.
+      await give(page, problemText("09-walk-difference"));
+      await one.locator("[data-board=actor]").waitFor();
+      assert.equal(await one.getByRole("tab").count(), 8);
+    },
+    { quiet: false },
+  );
+});
+
+test("a problem that can't be loaded leaves no empty parts, and others can be opened", () =>
+  visit(
+    async ({ page }) => {
+      await page.goto(`${address}index.html?src=missing.json`);
+      await page.getByRole("alert").getByText("was answered with 404").waitFor();
+      assert.equal(await page.locator(workplace.replace(" .problem-bar,", "")).count(), 0);
+      await page.getByRole("button", { name: "Next problem" }).click();
+      await page.locator("[data-board=actor]").waitFor();
+      assert((await page.getByRole("tab").count()) > 0, "the tabs come with the problem");
+    },
+    { quiet: false },
+  ));

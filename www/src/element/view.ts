@@ -388,23 +388,29 @@ export class View {
   private content(): TemplateResult {
     const playground = this.playground;
     const error = playground.answer.error.value;
-    const asked = playground.exercise.opening.value || playground.exercise.posed.value !== null;
+    const { opening, posed, refused } = playground.exercise;
+    const isBare = error !== null && playground.problem.document.value === null && posed.value === null;
+    const shown = () => {
+      if (opening.value || posed.value !== null) return exercise.panel(playground);
+      if (isBare && refused.value) return nothing;
+      return html`${wayBack(playground)} ${this.workplace(isBare)}`;
+    };
     return html`
       <div class="error">
         <div role="alert">${error === null ? nothing : html`<p>${error}${this.again()}</p>`}</div>
         ${
-          error === null
+          error === null || isBare
             ? nothing
             : html`<button type="button" class="sign" aria-label="Close the message" title="Close the message"
                 @click=${() => playground.answer.dismiss()}>${cross}</button>`
         }
       </div>
-      ${asked ? exercise.panel(playground) : html`${wayBack(playground)} ${this.workplace()}`} ${dropSign(this.drops)}
+      ${shown()} ${dropSign(this.drops)}
     `;
   }
 
-  /** Everything but an exercise. */
-  private workplace(): TemplateResult {
+  /** Everything but an exercise; `isBare`: no problem is open, and none is on its way. */
+  private workplace(isBare: boolean): TemplateResult {
     const { playground } = this;
     const hidden = hiddenParts(this.host.getAttribute("hide"));
     const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
@@ -415,9 +421,15 @@ export class View {
     const toured =
       this.sharing.value &&
       !["gallery", "stepper", "workbench", "enemy", "friend", "counts"].some((part) => hidden.has(part));
+    const bar = () => held(playground, () => problemBar(playground, isBare ? nothing : share()));
+    const menu = () => galleryMenu(playground);
+    if (isBare) {
+      return html`<div class="sheet-top">${show("gallery", bar)} ${stage(this.onStage.alone, hidden)}</div>
+        ${show("gallery", menu)} ${announcement(this.announcer)}`;
+    }
     return html`
       <div class="sheet-top">
-        ${show("gallery", () => held(playground, () => problemBar(playground, share())))} ${show("tools", () => toolbar(playground))}
+        ${show("gallery", bar)} ${show("tools", () => toolbar(playground))}
         ${stage(toured ? this.onStage.toured : this.onStage.alone, hidden)}
       </div>
       ${show("stepper", () => stepper(playground))} ${show("legend", () => legend(playground))}
@@ -430,7 +442,7 @@ export class View {
             </div>`
       }
       ${show("workbench", () => this.printing.content(playground))}
-      ${show("gallery", () => galleryMenu(playground))} ${announcement(this.announcer)} ${this.tour.card()}
+      ${show("gallery", menu)} ${announcement(this.announcer)} ${this.tour.card()}
     `;
   }
 

@@ -72,6 +72,8 @@ export class Exercise {
   readonly canTry: ReadonlySignal<boolean>;
   /** The name whose question is shown; empty: the question without a name; null: none was given. */
   readonly name = signal<string | null>(null);
+  /** Whether the question that was asked for last could not be: nothing of its problem may be shown in its place. */
+  readonly refused = signal(false);
   /** Whether a name is to be given, since the question differs from student to student and the page has not said whose it is. */
   readonly asksName: ReadonlySignal<boolean>;
   /** Whether the page leaves it to the student whose question is shown. */
@@ -130,6 +132,7 @@ export class Exercise {
     const ending = await this.runner.run({ kind: "exercise", document: text, seed });
     if (ending.kind === "stale") return null;
     this.opening.value = false;
+    this.refused.value = ending.kind !== "asked";
     if (ending.kind !== "asked") return { message: messageOf(ending), missing: isMissing(ending) };
     const { question } = ending;
     batch(() => {
@@ -180,6 +183,7 @@ export class Exercise {
     this.runner.drop();
     this.drawer.drop();
     this.opening.value = false;
+    this.refused.value = false;
     this.posed.value = null;
     this.forget();
   }
@@ -349,6 +353,8 @@ export class Exercise {
       // Who guesses the goal must not see which it is.
       true_goal: kind !== "guess",
       ended: told !== undefined,
+      // Answers and what is said of them name cells by these.
+      numbers: true,
       theme: this.scheme,
     };
     const plan = told ?? given;
