@@ -31,6 +31,9 @@ const GROUP: usize = 5;
 /// The longest code that is read, in signs; the longest that is written is shorter.
 const MAX_SIGNS: usize = 8 * MAX_ANSWER;
 
+/// The fewest signs of a code, about: its digest and its checksum alone have 16.
+const FEWEST_SIGNS: usize = 20;
+
 /// The signs of a code.
 const SIGNS: &str = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
 
@@ -177,6 +180,12 @@ pub(super) fn write(digest: &Digest, seed: u64, answer: &Answer, tally: Tally) -
 /// A code as it is compared: without what stands between its signs, each sign as it is read.
 pub fn canonical(code: &str) -> String {
     code.chars().filter(|&sign| !is_between(sign)).map(read_as).collect()
+}
+
+/// Whether a text has the signs and the length of a code, whatever is in it.
+pub fn is_like_code(text: &str) -> bool {
+    let signs = canonical(text);
+    signs.len() >= FEWEST_SIGNS && signs.chars().all(|sign| SIGNS.contains(sign))
 }
 
 /// Whether a sign may stand anywhere in a code: blanks, and the dashes and invisible signs that text processors put there.

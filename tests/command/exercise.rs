@@ -27,7 +27,7 @@ fn show_prints_the_question_and_the_solution_only_where_it_is_asked_for() {
     );
     let solved = mo_copp(&text(GOALS), &["exercise", "show", "-", "--solution"]);
     assert!(
-        solved.out.ends_with("solution: [\"G1\",\"G2\"]\ndifficulty: size 2, steps 4\n"),
+        solved.out.ends_with("solution: G1, G2\ndifficulty: size 2, steps 4\n"),
         "{}",
         solved.out
     );
@@ -178,7 +178,10 @@ fn grade_checks_every_answer_again_and_gives_reasons() {
     let ran = graded("grade", &table, &[]);
     assert_eq!(ran.code, 0, "{}", ran.err);
     let lines: Vec<&str> = ran.out.lines().collect();
-    assert_eq!(lines[0], "name,code,seed,score,score,reason,seed,answer,attempts,hints");
+    assert_eq!(
+        lines[0],
+        "name,code,seed,score,graded score,reason,graded seed,answer,attempts,hints"
+    );
     let fields = |line: usize| -> Vec<String> {
         let mut reader =
             csv::ReaderBuilder::new().has_headers(false).from_reader(lines[line].as_bytes());
@@ -188,7 +191,7 @@ fn grade_checks_every_answer_again_and_gives_reasons() {
     // What the table itself said of a score plays no part.
     assert_eq!(fields(2)[0], "0");
     assert!(fields(2)[1].contains("is possible for the enemy"), "{:?}", fields(2));
-    assert_eq!(fields(2)[3], "[]");
+    assert_eq!(fields(2)[3], "");
     assert_eq!(fields(3)[..2], ["0", "the code was edited or is not complete"]);
     assert_eq!(fields(4)[..2], ["0", "the code is of another exercise"]);
     assert_eq!(
@@ -307,5 +310,95 @@ fn a_quotation_mark_that_is_not_closed_takes_no_marks_from_the_rows_after_it() {
             ("Bob", "1", ""),
             ("Cleo", "1", "the same code as in line 3"),
         ]
+    );
+}
+
+#[test]
+fn columns_that_are_added_have_names_of_their_own() {
+    let (right, wrong) = (code("7", None), code("7", Some("G4,G2")));
+    let table = format!("Score ,code,SEED,graded score,Hints\n5,{right},7,4,3\n5,{wrong},7,4,3\n");
+    let ran = graded("names", &table, &[]);
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    assert_eq!(
+        ran.out.lines().next().unwrap(),
+        "Score ,code,SEED,graded score,Hints,graded score 2,reason,graded seed,answer,attempts,graded hints"
+    );
+    let rows_of = |table: &str| rows(table);
+    let read = rows_of(&ran.out);
+    assert_eq!((&read[0]["graded score 2"][..], &read[0]["graded seed"][..]), ("1", "7"));
+    assert_eq!(read[1]["answer"], "G2, G4");
+    // What was graded can be graded once more.
+    let again = graded("names", &ran.out, &[]);
+    let head: Vec<&str> = again.out.lines().next().unwrap().split(',').collect();
+    let mut distinct: Vec<String> = head.iter().map(|name| name.trim().to_lowercase()).collect();
+    distinct.sort_unstable();
+    distinct.dedup();
+    assert_eq!(distinct.len(), head.len(), "{head:?}");
+    assert_eq!(rows_of(&again.out)[0]["graded score 3"], "1");
+}
+
+#[test]
+fn of_two_columns_with_one_name_none_is_chosen() {
+    for (head, more) in [
+        ("code,Code", &[][..]),
+        ("code,seed,seed", &[]),
+        ("code,name,Name ", &["--student", "name"]),
+    ] {
+        let ran = graded("twice", &format!("{head}\nX,Y,Z\n"), more);
+        assert_eq!(ran.code, 2, "{head}");
+        assert!(ran.err.starts_with("mo-copp: -:1:1: found 2 columns "), "{}", ran.err);
+    }
+}
+
+#[test]
+fn two_stray_quotation_marks_swallow_no_row() {
+    let right = code("7", None);
+    let said = |table: &str| -> Vec<(String, String, String)> {
+        let ran = graded("stray", table, &[]);
+        assert_eq!(ran.code, 0, "{}", ran.err);
+        let mut reader = csv::Reader::from_reader(ran.out.as_bytes());
+        let head = reader.headers().unwrap().clone();
+        let [name, score, reason] = ["name", "score", "reason"]
+            .map(|wanted| head.iter().position(|name| name == wanted).unwrap());
+        let rows = reader.records().map(Result::unwrap);
+        rows.map(|row| (row[name].to_owned(), row[score].to_owned(), row[reason].to_owned()))
+            .collect()
+    };
+    let row = |name: &str, score: &str, reason: &str| {
+        (name.to_owned(), score.to_owned(), reason.to_owned())
+    };
+    let open = row("\"Ada", "0", "a quotation mark in line 2 is not closed");
+    let table = format!("name,code\n\"Ada,{right}\nBob,{right}\nCleo\",{right}\nDan,{right}\n");
+    let rest = [
+        row("Bob", "1", ""),
+        row("Cleo\"", "1", "the same code as in line 3"),
+        row("Dan", "1", "the same code as in line 3"),
+    ];
+    assert_eq!(said(&table), [&[open.clone()][..], &rest].concat());
+    // Rows without an answer are rows as well.
+    let table = format!("name,code\n\"Ada,{right}\nBob,\nCleo,\"\nDan,{right}\n");
+    assert_eq!(said(&table)[1], row("Bob", "0", "no answer"));
+    assert_eq!(said(&table).len(), 4);
+    // The code may stand before the field in which the mark is.
+    let table = format!("code,name\n{right},\"Ada\n{right},Bob\n{right},Cleo\"\n");
+    assert_eq!(said(&table).len(), 3);
+    let table = format!("code,name\n{right},\"Ada\n{right},Cleo\"\n");
+    assert_eq!(said(&table).len(), 2);
+    // A field of several lines is one, whatever commas are in it, and whether the code comes before or after.
+    for table in [
+        format!("name,text,code\nAda,\"first, one\nsecond\nand, so, on\",{right}\n"),
+        format!("name,code,text\nAda,{right},\"first\nsecond, third\"\n"),
+        format!("name,code,text\nAda,\"{right}\n\",\"first\"\n"),
+    ] {
+        let read = said(&table);
+        assert_eq!((read.len(), &read[0].1[..]), (1, "1"), "{table}");
+    }
+    // What cannot be told apart keeps its mark and is named.
+    let table = format!("name,code\n\"Ada,hm\nBob,dunno\nCleo\",{right}\n");
+    let read = said(&table);
+    assert_eq!((read.len(), &read[0].1[..]), (1, "1"));
+    assert_eq!(
+        read[0].2,
+        "a quotation mark in line 2 is closed in line 4; if these lines are rows, it is a stray one"
     );
 }

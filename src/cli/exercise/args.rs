@@ -11,7 +11,7 @@ Examples:
   mo-copp exercise show exercise.json --solution
   mo-copp exercise variant exercise.json --student \"Ada Lovelace\" > ada.json
   mo-copp exercise check exercise.json --seed 7 --answer G1,G3
-  mo-copp exercise check exercise.json --answer '[2, 3]' --json")]
+  mo-copp exercise check exercise.json --answer 'column 2, row 3' --json")]
 pub struct ExerciseArgs {
     /// What to do.
     #[command(subcommand)]
@@ -78,7 +78,7 @@ pub struct CheckArgs {
     /// Which variant.
     #[command(flatten)]
     pub which: SeedArgs,
-    /// The answer: names with commas between them, or JSON.
+    /// The answer: names with commas between them, cells with semicolons, or JSON.
     #[arg(long, value_name = "ANSWER", allow_hyphen_values = true)]
     pub answer: String,
     /// One JSON object instead of text.
@@ -91,8 +91,9 @@ pub struct CheckArgs {
 #[command(after_help = "\
 CODES is a table in CSV with a column named code, as a form or a course system exports it. With a column named seed each
 code must be of the seed in its row. Each answer is checked again; what a code says of a score is not read at all.
-The table that is printed has the columns of CODES and then: score, reason, seed, answer, attempts, hints. A code proves
-which answer was given to which question. It does not prove who gave it, nor the attempts and hints that it tells.
+The table that is printed has the columns of CODES and then: score, reason, seed, answer, attempts, hints. Where CODES has
+a column of such a name, the one that is added is called graded score, graded seed and so on. A code proves which answer
+was given to which question. It does not prove who gave it, nor the attempts and hints that it tells.
 
 Examples:
   mo-copp grade exercise.json codes.csv > marks.csv

@@ -4,6 +4,8 @@ use std::borrow::Cow;
 
 use encoding_rs::{Encoding, UTF_8, WINDOWS_1252};
 
+use super::records::{Record, Records, Wanted};
+
 /// What may stand between two fields.
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 
@@ -29,6 +31,8 @@ pub struct Row {
     pub fields: Vec<String>,
     /// Why its fields cannot be told to columns.
     pub broken: Option<String>,
+    /// What should be looked at in it, though it can be read.
+    pub remark: Option<String>,
 }
 
 impl CodeTable {
@@ -36,20 +40,21 @@ impl CodeTable {
     ///
     /// # Errors
     ///
-    /// The line and what is wrong with it, where no column is called `code`.
+    /// The line and what is wrong with it, where no column is called `code`, or where two have a name that is looked for.
     pub fn read(bytes: &[u8]) -> Result<Self, (u64, String)> {
         let text = decode(bytes);
         let mut wrong = None;
         for separator in SEPARATORS {
-            let mut records = Records { rest: &text, line: 1, separator };
+            let mut records = Records::new(&text, separator);
             let head: Vec<String> = records.next().map_or_else(Vec::new, |record| record.fields);
-            let Some(code) = column(&head, "code") else {
+            let Some(code) = column(&head, "code")? else {
                 // What is said is how the table looks with the separator that it is most likely to have.
                 let most = wrong.as_ref().is_none_or(|seen: &Vec<String>| head.len() > seen.len());
                 wrong = if most { Some(head) } else { wrong };
                 continue;
             };
-            let seed = column(&head, "seed");
+            let seed = column(&head, "seed")?;
+            let records = records.with_rows(Wanted { columns: head.len(), code });
             let rows = records.map(|record| row(record, &head, code, separator)).collect();
             return Ok(Self { separator, head, rows, code, seed });
         }
@@ -61,10 +66,10 @@ impl CodeTable {
     ///
     /// # Errors
     ///
-    /// The first line, where no column has the name.
+    /// The first line, where no column has the name, or more than one.
     pub fn column(&self, name: &str) -> Result<usize, (u64, String)> {
         let missing = || (1, format!("found {:?}, expected a column {name}", self.head.join(",")));
-        column(&self.head, name).ok_or_else(missing)
+        column(&self.head, name)?.ok_or_else(missing)
     }
 
     /// The code of a row.
@@ -97,96 +102,24 @@ fn decode(bytes: &[u8]) -> Cow<'_, str> {
     encoding.decode(bytes).0
 }
 
-/// The column of a name, whatever its capitals and blanks.
-fn column(head: &[String], wanted: &str) -> Option<usize> {
-    head.iter().position(|name| name.trim().eq_ignore_ascii_case(wanted.trim()))
+/// Whether two names are of one column, whatever their capitals and blanks.
+pub fn is_same(name: &str, other: &str) -> bool {
+    name.trim().to_lowercase() == other.trim().to_lowercase()
 }
 
-/// A record of a text, before its fields are told to columns.
-struct Record {
-    line: u64,
-    fields: Vec<String>,
-    /// Whether a quotation mark begins a field that no other ends.
-    is_open: bool,
-}
-
-/// The records of a text, one after another. A field in quotation marks may run over line ends; where its closing mark is
-/// missing or stands inside of a later field, the record is its first line, and the marks in it are signs like others.
-struct Records<'t> {
-    rest: &'t str,
-    line: u64,
-    separator: u8,
-}
-
-impl Iterator for Records<'_> {
-    type Item = Record;
-
-    fn next(&mut self) -> Option<Record> {
-        loop {
-            if self.rest.is_empty() {
-                return None;
-            }
-            let closed = record_end(self.rest, self.separator);
-            let length = closed.unwrap_or_else(|| line_end(self.rest, 0));
-            let (text, rest) = self.rest.split_at(length);
-            let line = self.line;
-            self.rest = rest;
-            // A line ends in a line feed, or, on old machines, in a carriage return.
-            let ends = text.matches('\n').count().max(text.matches('\r').count());
-            self.line += ends as u64;
-            let mut reader = csv::ReaderBuilder::new()
-                .delimiter(self.separator)
-                .quoting(closed.is_some())
-                .has_headers(false)
-                .flexible(true)
-                .from_reader(text.as_bytes());
-            // Lines without anything are no records; a text that was decoded has no other errors.
-            if let Some(Ok(record)) = reader.records().next() {
-                let fields = record.iter().map(str::to_owned).collect();
-                return Some(Record { line, fields, is_open: closed.is_none() });
-            }
-        }
-    }
-}
-
-/// Where the line ends that a place is in, with its line end.
-fn line_end(text: &str, place: usize) -> usize {
-    let is_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
-    let bytes = text.as_bytes();
-    let end = bytes[place..].iter().position(is_end).map_or(bytes.len(), |end| place + end);
-    let both = bytes[end..].starts_with(b"\r\n");
-    (end + if both { 2 } else { 1 }).min(bytes.len())
-}
-
-/// Where the first record of a text ends, with its line end; none where a quotation mark is not closed.
-fn record_end(text: &str, separator: u8) -> Option<usize> {
-    let bytes = text.as_bytes();
-    let mut place = 0;
-    loop {
-        if bytes.get(place) == Some(&b'"') {
-            let begin = place;
-            place += 1;
-            // Two marks are one that belongs to the field.
-            while bytes[place..].starts_with(b"\"\"") || *bytes.get(place)? != b'"' {
-                place += if bytes[place] == b'"' { 2 } else { 1 };
-            }
-            place += 1;
-            let ends = |byte: &u8| *byte == separator || matches!(byte, b'\r' | b'\n');
-            if bytes.get(place).is_some_and(|byte| !ends(byte)) && line_end(text, begin) < place {
-                return None;
-            }
-        }
-        let end = line_end(text, place);
-        match bytes[place..end].iter().position(|&byte| byte == separator) {
-            Some(next) => place += next + 1,
-            None => return Some(end),
-        }
+/// The column of a name. Which of several is meant, nothing says.
+fn column(head: &[String], wanted: &str) -> Result<Option<usize>, (u64, String)> {
+    let mut places = (0..head.len()).filter(|&place| is_same(&head[place], wanted));
+    let found = (places.next(), places.count());
+    match found {
+        (place, 0) => Ok(place),
+        (_, more) => Err((1, format!("found {} columns {wanted}, expected one", more + 1))),
     }
 }
 
 /// A row with a field for each column. Fields that are empty may be missing or too many.
 fn row(record: Record, head: &[String], code: usize, separator: u8) -> Row {
-    let Record { line, mut fields, is_open } = record;
+    let Record { line, mut fields, is_open, like_rows } = record;
     while fields.len() > head.len() && fields.last().is_some_and(|field| field.trim().is_empty()) {
         fields.pop();
     }
@@ -205,7 +138,12 @@ fn row(record: Record, head: &[String], code: usize, separator: u8) -> Row {
         let word = if found == 1 { "field" } else { "fields" };
         Some(format!("the row has {found} {word}, expected {}", head.len()))
     };
-    Row { line, fields, broken }
+    let remark = like_rows.map(|(begin, last)| {
+        format!(
+            "a quotation mark in line {begin} is closed in line {last}; if these lines are rows, it is a stray one"
+        )
+    });
+    Row { line, fields, broken, remark }
 }
 
 #[cfg(test)]

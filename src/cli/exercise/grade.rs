@@ -6,7 +6,7 @@ use mo_copp::exercise::code::canonical;
 use mo_copp::exercise::{CodeError, Exercise, Graded, Variant, seed_of};
 
 use super::args::GradeArgs;
-use super::code_table::CodeTable;
+use super::code_table::{CodeTable, is_same};
 use crate::cli::error::CliError;
 use crate::cli::{input, print};
 
@@ -25,7 +25,7 @@ pub fn run(args: &GradeArgs) -> Result<u8, CliError> {
         args.student.as_deref().map(|name| table.column(name)).transpose().map_err(place)?;
     let mut writer = csv::WriterBuilder::new().delimiter(table.separator).from_writer(Vec::new());
     let failed = |error: csv::Error| CliError::Output(std::io::Error::other(error));
-    let head = table.head.iter().map(String::as_str).chain(ADDED);
+    let head = table.head.iter().cloned().chain(ADDED.map(|name| free_name(name, &table.head)));
     writer.write_record(head).map_err(failed)?;
     // The line at which each code stood first.
     let mut first: BTreeMap<String, u64> = BTreeMap::new();
@@ -48,15 +48,31 @@ pub fn run(args: &GradeArgs) -> Result<u8, CliError> {
         if varies && row.broken.is_none() && !same.is_empty() {
             let earlier = *first.entry(same).or_insert(row.line);
             if earlier != row.line {
-                let and = if added[1].is_empty() { "" } else { "; " };
-                added[1] = format!("{}{and}the same code as in line {earlier}", added[1]);
+                added[1] = joined(&added[1], &format!("the same code as in line {earlier}"));
             }
+        }
+        if let Some(remark) = &row.remark {
+            added[1] = joined(&added[1], remark);
         }
         writer.write_record(row.fields.iter().chain(&added)).map_err(failed)?;
     }
     let bytes = writer.into_inner().map_err(|error| CliError::Output(error.into_error()))?;
     print(&String::from_utf8_lossy(&bytes))?;
     Ok(0)
+}
+
+/// The name of a column that is added: another one where the table has a column of that name.
+fn free_name(name: &str, head: &[String]) -> String {
+    let is_free = |wanted: &String| !head.iter().any(|known| is_same(known, wanted));
+    let numbered = (2..).map(|number: u64| format!("graded {name} {number}"));
+    let mut names = [name.to_owned(), format!("graded {name}")].into_iter().chain(numbered);
+    names.find(is_free).unwrap_or_default()
+}
+
+/// Two reasons, one after the other.
+fn joined(reason: &str, further: &str) -> String {
+    let and = if reason.is_empty() { "" } else { "; " };
+    format!("{reason}{and}{further}")
 }
 
 /// What is added to a row that has no answer, or none that can be checked.
@@ -86,7 +102,7 @@ fn graded(
             verdict.score().to_string(),
             verdict.reason().to_owned(),
             variant.seed().to_string(),
-            variant.form().to_json(&answer).to_string(),
+            variant.form().in_words(&answer),
             tally.attempts.to_string(),
             tally.hints.to_string(),
         ],
