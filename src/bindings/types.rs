@@ -222,6 +222,8 @@ export interface PictureOptions {
   true_goal?: boolean;
   /** Whether the agent stops where the plan ends; else it may go on, and nothing is ruled out. */
   ended?: boolean;
+  /** Whether boards of cells have the numbers of columns and rows at their edges. */
+  numbers?: boolean;
   theme?: "light" | "dark";
 }
 

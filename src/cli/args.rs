@@ -311,6 +311,9 @@ pub struct PictureArgs {
     /// The boards alone, without headings, goals and the line about the step.
     #[arg(long)]
     pub no_captions: bool,
+    /// The numbers of columns and rows at the edges of boards with cells, from 0.
+    #[arg(long)]
+    pub numbers: bool,
     /// Light or dark.
     #[arg(long, value_parser = theme, value_name = "light|dark", default_value = "light")]
     pub theme: Theme,

@@ -19,6 +19,7 @@ pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
     };
     options.boards = boards(&args.board, &problem)?;
     options.captions = !args.no_captions;
+    options.numbers = args.numbers;
     options.theme = args.theme;
     let svg = draw(&document, &problem, &plan, &options)?;
     match &args.out {

@@ -35,6 +35,8 @@ pub(super) struct BoardInput<'a> {
     pub owner: Owner,
     pub tone: Tone,
     pub palette: &'a Palette,
+    /// Whether boards of cells have the numbers of columns and rows at their edges.
+    pub numbers: bool,
 }
 
 impl<'a> BoardInput<'a> {
@@ -93,18 +95,21 @@ impl<'a> BoardInput<'a> {
 
     /// Draws the inside of the board, [`SIDE`] by [`SIDE`].
     pub fn draw(&self, svg: &mut Svg) {
+        let numbers = self.numbers;
         match &self.scene.setting {
             Setting::Gridworld { width, height, walls, start } => {
-                let floor = cells::Floor { width: *width, height: *height, walls, charger: None };
+                let (width, height, charger) = (*width, *height, None);
+                let floor = cells::Floor { width, height, walls, charger, numbers };
                 cells::draw(svg, self, &floor, *start);
             }
             Setting::BoxPushing { width, height, walls, start } => {
-                let floor = cells::Floor { width: *width, height: *height, walls, charger: None };
+                let (width, height, charger) = (*width, *height, None);
+                let floor = cells::Floor { width, height, walls, charger, numbers };
                 cells::draw(svg, self, &floor, start.robot);
             }
             Setting::RecyclingRobot { width, height, walls, charger, start, .. } => {
-                let charger = Some(*charger);
-                let floor = cells::Floor { width: *width, height: *height, walls, charger };
+                let (width, height, charger) = (*width, *height, Some(*charger));
+                let floor = cells::Floor { width, height, walls, charger, numbers };
                 cells::draw(svg, self, &floor, start.robot);
             }
             Setting::Delivery { factories, .. } => delivery::draw(svg, self, factories),

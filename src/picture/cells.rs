@@ -16,18 +16,30 @@ pub(super) struct Floor<'a> {
     pub height: u32,
     pub walls: &'a [Cell],
     pub charger: Option<Cell>,
+    /// Whether columns and rows have their numbers at the edges.
+    pub numbers: bool,
 }
 
+/// Room for numbers at an edge.
+const EDGE: f64 = 24.0;
+/// Numbers nearer than this run into each other.
+const APART: f64 = 22.0;
+
 impl Floor<'_> {
-    /// The side of a cell.
-    fn side(&self) -> f64 {
-        SIDE / f64::from(self.width.max(self.height).max(1))
+    /// What the numbers take from the board.
+    fn edge(&self) -> f64 {
+        if self.numbers { EDGE } else { 0.0 }
     }
 
-    /// The left upper corner of the grid, which stands in the middle of the board.
+    /// The side of a cell.
+    fn side(&self) -> f64 {
+        (SIDE - self.edge()) / f64::from(self.width.max(self.height).max(1))
+    }
+
+    /// The left upper corner of the grid, which stands with its numbers in the middle of the board.
     fn origin(&self) -> [f64; 2] {
-        let side = self.side();
-        [self.width, self.height].map(|cells| (SIDE - side * f64::from(cells)) / 2.0)
+        let (side, edge) = (self.side(), self.edge());
+        [self.width, self.height].map(|cells| edge + (SIDE - edge - side * f64::from(cells)) / 2.0)
     }
 
     /// The middle of a cell.
@@ -81,6 +93,9 @@ pub(super) fn draw(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>, sta
         let path = floor.squares(floor.walls.iter().copied());
         svg.raw(format_args!(r#"<path d="{path}" fill="{}"/>"#, palette.wall));
     }
+    if floor.numbers {
+        edge_numbers(svg, floor, palette.muted);
+    }
     cameras(svg, input, floor);
     let side = floor.side();
     for &cell in &believed {
@@ -102,6 +117,23 @@ pub(super) fn draw(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>, sta
     things(svg, input, floor);
     goals(svg, input, floor);
     robot(svg, input, floor);
+}
+
+/// The numbers of columns and rows, by which cells are named; where cells are small, of some of them.
+fn edge_numbers(svg: &mut Svg, floor: &Floor<'_>, colour: &str) {
+    const SIZE: f64 = 16.0;
+    let ([left, top], side) = (floor.origin(), floor.side());
+    let each = [1, 2, 5, 10].into_iter().find(|&each| f64::from(each) * side >= APART);
+    let each = each.unwrap_or(20) as usize;
+    let look = format!(r#"fill="{colour}""#);
+    for column in (0..floor.width).step_by(each) {
+        let x = left + side * (f64::from(column) + 0.5);
+        svg.text([x, top - 6.0], SIZE, Anchor::Middle, &column.to_string(), &look);
+    }
+    for row in (0..floor.height).step_by(each) {
+        let y = top + side * (f64::from(row) + 0.5) + SIZE * 0.35;
+        svg.text([left - 6.0, y], SIZE, Anchor::End, &row.to_string(), &look);
+    }
 }
 
 /// The cell of a part of a state; a gridworld's state is the agent's cell.

@@ -77,6 +77,8 @@ pub struct PictureOptions {
     pub true_goal: bool,
     /// Whether the agent stops where the plan ends. Else it may go on: nothing is ruled out, and no difference is told.
     pub ended: bool,
+    /// Whether boards of cells have the numbers of columns and rows at their edges.
+    pub numbers: bool,
     /// Light or dark.
     pub theme: Theme,
 }
@@ -90,6 +92,7 @@ impl PictureOptions {
             captions: true,
             true_goal: true,
             ended: true,
+            numbers: false,
             theme: Theme::Light,
         }
     }

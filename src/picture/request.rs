@@ -7,8 +7,17 @@ use crate::problem::Problem;
 
 use super::{Boards, PictureOptions, Steps, Theme};
 
-const KEYS: [&str; 8] =
-    ["step", "animate", "milliseconds", "board", "captions", "true_goal", "ended", "theme"];
+const KEYS: [&str; 9] = [
+    "step",
+    "animate",
+    "milliseconds",
+    "board",
+    "captions",
+    "true_goal",
+    "ended",
+    "numbers",
+    "theme",
+];
 
 /// The options written as a JSON object, as the JavaScript API takes them; `last` is the last step of the plan, which is
 /// drawn where no other is named.
@@ -67,6 +76,9 @@ pub fn read_picture_options(
     }
     if let Some(ended) = fields.optional("ended") {
         options.ended = ended.boolean()?;
+    }
+    if let Some(numbers) = fields.optional("numbers") {
+        options.numbers = numbers.boolean()?;
     }
     if let Some(theme) = fields.optional("theme") {
         let named = Theme::named(theme.text()?);

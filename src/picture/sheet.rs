@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::belief::StateCount;
 use crate::domain::Document;
+use crate::goal_difference::written;
 use crate::report::{Scene, TraceReport};
 
 use super::boards::{BoardInput, Owner, SIDE};
@@ -30,6 +31,7 @@ pub(super) struct Sheet<'a> {
     owners: Vec<Owner>,
     captions: bool,
     ended: bool,
+    numbers: bool,
 }
 
 impl<'a> Sheet<'a> {
@@ -47,8 +49,8 @@ impl<'a> Sheet<'a> {
         };
         let palette = Palette::of(options.theme);
         let theme = options.theme;
-        let (captions, ended) = (options.captions, options.ended);
-        Self { scene, document, trace, palette, theme, owners, captions, ended }
+        let PictureOptions { captions, ended, numbers, .. } = *options;
+        Self { scene, document, trace, palette, theme, owners, captions, ended, numbers }
     }
 
     /// One step.
@@ -141,6 +143,7 @@ impl<'a> Sheet<'a> {
             steps: &self.trace.steps,
             at,
             ended: self.ended,
+            numbers: self.numbers,
             owner,
             tone: self.tone(owner),
             palette: self.palette,
@@ -257,7 +260,7 @@ impl<'a> Sheet<'a> {
         let mut text = format!("Possible goals: {}.", sides.join(", "));
         if self.ended && at + 1 == self.trace.steps.len() && self.trace.valid {
             // Writing to a text cannot fail.
-            let _ = write!(text, " Goal difference {}.", Number(step.goal_difference));
+            let _ = write!(text, " Goal difference {}.", written(step.goal_difference, all));
         }
         text
     }

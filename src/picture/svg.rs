@@ -11,6 +11,7 @@ pub(super) struct Svg(String);
 pub(super) enum Anchor {
     Start,
     Middle,
+    End,
 }
 
 /// The mean width of a letter, as a part of the font's size: what fits is told by it, since nothing here can
@@ -59,6 +60,7 @@ impl Svg {
         let anchor = match anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",
+            Anchor::End => "end",
         };
         let (x, y, size) = (Number(x), Number(y), Number(size));
         self.raw(format_args!(

@@ -66,7 +66,7 @@ const MODULES: Table = &[
             "trace",
         ],
     ),
-    ("picture", &["belief", "document", "domain", "plan", "problem", "report"]),
+    ("picture", &["belief", "document", "domain", "goal_difference", "plan", "problem", "report"]),
     (
         "experiment",
         &["document", "domain", "goal_difference", "limits", "plan", "problem", "solver"],
