@@ -75,29 +75,33 @@ pub fn nearest(number: f64, goals: usize) -> f64 {
     if (near - number).abs() <= ROUNDING { near } else { number }
 }
 
-/// A goal difference of `goals` candidates in words: in decimals where at most three of them tell it, else as a fraction
-/// with its decimals.
+/// A number that has to do with goal differences of `goals` candidates, as readers see it everywhere: a fraction in its lowest
+/// terms where it is one of `goals − 1`, else with at most three decimals.
 ///
 /// ```
 /// use mo_copp::goal_difference::written;
-/// assert_eq!(written(0.4, 6), "0.4");
-/// assert_eq!(written(4.0 / 6.0, 7), "2/3 (0.667)");
+/// assert_eq!(written(0.4, 6), "2/5");
+/// assert_eq!(written(-4.0 / 6.0, 7), "−2/3");
+/// assert_eq!(written(1.0, 7), "1");
+/// assert_eq!(written(0.1234, 7), "0.123");
 /// ```
 pub fn written(difference: f64, goals: usize) -> String {
-    let rounded = (difference * 1000.0).round() / 1000.0;
     let most = goals.saturating_sub(1);
     let numerator = (difference * most as f64).round();
-    let is_fraction = (numerator / most as f64 - difference).abs() < 1e-9;
-    if (rounded - difference).abs() < 1e-9 || !is_fraction {
-        return difference.to_string();
+    let rounded = (difference * 1000.0).round() / 1000.0;
+    let sign = if rounded < 0.0 { "−" } else { "" };
+    if rounded.fract() == 0.0 && (rounded - difference).abs() < 1e-9 {
+        return format!("{sign}{}", rounded.abs());
     }
-    let sign = if numerator < 0.0 { "-" } else { "" };
+    if most == 0 || (numerator / most as f64 - difference).abs() >= 1e-9 {
+        return format!("{sign}{}", rounded.abs());
+    }
     let numerator = numerator.abs() as usize;
     let (mut shared, mut rest) = (most, numerator);
     while rest > 0 {
         (shared, rest) = (rest, shared % rest);
     }
-    format!("{sign}{}/{} ({rounded:.3})", numerator / shared, most / shared)
+    format!("{sign}{}/{}", numerator / shared, most / shared)
 }
 
 /// Works out survivors, once for each belief. States that satisfy the same goals share a class, so
@@ -216,11 +220,12 @@ mod tests {
                 assert_eq!(nearest(rounded, goals), exact, "{numerator} of {goals}");
                 assert_eq!(nearest(exact, goals), exact, "{numerator} of {goals}");
                 let text = written(exact, goals);
-                let told = match text.split_once(" (").and_then(|(told, _)| told.split_once('/')) {
+                let plain = text.replace('−', "-");
+                let told = match plain.split_once('/') {
                     Some((above, below)) => {
                         above.parse::<f64>().unwrap() / below.parse::<f64>().unwrap()
                     }
-                    None => text.parse().unwrap(),
+                    None => plain.parse().unwrap(),
                 };
                 assert!((told - exact).abs() < 1e-12, "{text} for {numerator} of {goals}");
             }
@@ -231,9 +236,11 @@ mod tests {
     fn other_numbers_stay_as_they_are() {
         assert_eq!(nearest(0.668, 4), 0.668);
         assert_eq!(written(0.668, 4), "0.668");
-        assert_eq!(written(-1.0 / 3.0, 4), "-1/3 (-0.333)");
-        assert_eq!(written(0.125, 9), "0.125");
-        assert_eq!(written(0.0625, 17), "1/16 (0.063)");
+        assert_eq!(written(-1.0 / 3.0, 4), "−1/3");
+        assert_eq!(written(0.125, 9), "1/8");
+        assert_eq!(written(0.0625, 17), "1/16");
+        assert_eq!(written(-0.0, 4), "0");
+        assert_eq!(written(-1.0, 4), "−1");
         assert_eq!(written(0.0, 4), "0");
         assert_eq!(written(1.0, 1), "1");
     }

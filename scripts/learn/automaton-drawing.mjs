@@ -130,13 +130,14 @@ export function drawing(id, name, layers, label, lit) {
 /** The arcs of a path of nodes. */
 export const arcsOf = (path) => path.slice(1).map((to, row) => `${row}.${path[row]}-${row + 1}.${to}`);
 
-const place = ([column, row]) => `(${column}, ${row})`;
-const set = (cells) => cells.map(place).join(", ");
+/** A cell as the page and the core name it. */
+const place = ([column, row]) => `column ${column}, row ${row}`;
+const set = (cells) => cells.map(place).join("; ");
 
 function words(node) {
   const [enemy, friend] = observers.map((observer) => set(node.beliefs[observer]));
   const value = node.end ? ` Worth ${worth(node)}.` : "";
-  return `The agent at ${place(node.state)}; the enemy believes ${enemy}; the friend believes ${friend}.${value}`;
+  return `The agent is in ${place(node.state)}. The enemy believes ${enemy}. The friend believes ${friend}.${value}`;
 }
 
 /** The automaton as lists, for readers who do not see it. */
@@ -151,7 +152,7 @@ export function inWords(layers) {
     });
     return `<li>${said(layer, row)}<ol>${nodes.join("")}</ol></li>`;
   });
-  return `<details><summary>The drawing in words</summary><p>A cell is (column, row), counted from 0 at the top left.</p><ul>${items.join("")}</ul></details>`;
+  return `<details><summary>The drawing in words</summary><p>Columns count from the left, rows from the top, both from 0.</p><ul>${items.join("")}</ul></details>`;
 }
 
 /** What a plan's flow comes to: its arcs, and a sentence. */

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use mo_copp::goal_difference::written;
 use mo_copp::problem::Problem;
 use mo_copp::solver::remedy::{Advice, Change, Reason, RemedyRun};
 use mo_copp::solver::{Horizon, Options, Outcome, SolveError, Status};
@@ -62,10 +63,11 @@ pub fn text(problem: &Problem, options: &Options, advice: &Advice) -> String {
             Change::AtLeast => "--k",
             Change::AtMost => "--j",
         };
-        let (value, difference) = (remedy.value, remedy.goal_difference);
+        let value = remedy.value;
+        let difference = written(remedy.goal_difference, problem.goals().len());
         let _ = writeln!(
             text,
-            "  with {option} {value} there is a plan (goal difference {difference:.3})"
+            "  with {option} {value} there is a plan (goal difference {difference})"
         );
     }
     if !advice.complete {

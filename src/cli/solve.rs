@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use mo_copp::goal_difference::written;
 use mo_copp::limits::LimitReached;
 use mo_copp::problem::{Problem, Role};
 use mo_copp::report::{AdviceReport, FrontReport, SolveReport};
@@ -118,11 +119,13 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
         if !plan.is_empty() {
             let _ = writeln!(text, "  {}", plan.join(", "));
         }
-        let _ = writeln!(text, "goal difference: {difference:.3}");
+        let value = |number| written(number, problem.goals().len());
+        let _ = writeln!(text, "goal difference: {}", value(difference));
         if let (Some(bound), Some(gap)) = (outcome.bound, outcome.gap())
             && gap > 0.0
         {
-            let _ = writeln!(text, "at most {bound:.3} is possible: a gap of {gap:.3}");
+            let (bound, gap) = (value(bound), value(gap));
+            let _ = writeln!(text, "at most {bound} is possible: a gap of {gap}");
         }
     }
     for (observer, set) in problem.observers().iter().zip(outcome.survivors.iter().flatten()) {
@@ -180,8 +183,9 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
             let _ = match (point.adversarial, point.cooperative, point.goal_difference) {
                 (Some(adversarial), Some(cooperative), Some(difference)) => writeln!(
                     text,
-                    "  {:4} actions: {difference:6.3} ({adversarial}, {cooperative}): {}",
+                    "  {:4} actions: {:>6} ({adversarial}, {cooperative}): {}",
                     point.length,
+                    written(difference, problem.goals().len()),
                     point.plan.as_deref().unwrap_or_default().join(", ")
                 ),
                 _ => writeln!(text, "  {:4} actions: no plan", point.length),

@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
+use mo_copp::goal_difference::written;
 use mo_copp::plan::{Plan, PlanError};
-use mo_copp::problem::{Problem, SurvivorCounts};
+use mo_copp::problem::{Problem, StateLabel, SurvivorCounts};
 use mo_copp::report::TraceReport;
 use mo_copp::trace::{check_cost, pass, trace};
 
@@ -66,14 +67,15 @@ fn text(problem: &Problem, plan: &Plan) -> Result<(String, bool), PlanError> {
                 None => String::new(),
             };
             let belief = &step.beliefs[index];
-            let mut states: Vec<String> = belief
+            let states: Vec<StateLabel> = belief
                 .some_states(STATES_SHOWN)
                 .iter()
-                .map(|state| problem.label(state.words()).to_string())
+                .map(|state| problem.label(state.words()))
                 .collect();
+            let mut shown = StateLabel::list(&states);
             let count = belief.count();
             if count.as_f64() > STATES_SHOWN as f64 {
-                states.push("…".to_owned());
+                shown.push_str("; …");
             }
             let goals: Vec<&str> = step.survivors[index]
                 .iter()
@@ -82,9 +84,8 @@ fn text(problem: &Problem, plan: &Plan) -> Result<(String, bool), PlanError> {
             let plural = if count.as_f64() == 1.0 { "" } else { "s" };
             let _ = writeln!(
                 text,
-                "  {}: {told}{count} state{plural} ({}); possible goals: {}",
+                "  {}: {told}{count} state{plural} ({shown}); possible goals: {}",
                 observer.name,
-                states.join(" "),
                 // An agent that went on could make goals possible.
                 if goals.is_empty() { "none yet".to_owned() } else { goals.join(", ") }
             );
@@ -94,20 +95,20 @@ fn text(problem: &Problem, plan: &Plan) -> Result<(String, bool), PlanError> {
         Ok(())
     })?;
     let goal = &problem.goals()[problem.true_goal()].name;
-    let difference = problem.goal_difference(counts);
+    let difference = written(problem.goal_difference(counts), problem.goals().len());
     if let Some(cost) = plan.cost(problem.task()) {
         let _ = writeln!(text, "cost: {cost}");
     }
     if reaches_goal {
         let _ = writeln!(text, "the plan reaches the true goal {goal}");
-        let _ = writeln!(text, "goal difference: {difference:.3}");
+        let _ = writeln!(text, "goal difference: {difference}");
     } else {
         let _ = writeln!(text, "the plan does not reach the true goal {goal}");
         let SurvivorCounts { adversarial, cooperative } = counts;
         let _ = writeln!(
             text,
             "if it stopped here: {adversarial} goals possible for the enemy, {cooperative} for the friend, \
-             goal difference {difference:.3}"
+             goal difference {difference}"
         );
     }
     Ok((text, reaches_goal))

@@ -1,5 +1,7 @@
 //! Answers: choices among what a question offers.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 use serde_json::Value;
 
@@ -95,17 +97,22 @@ impl Form {
         }
     }
 
-    /// Reads an answer: in JSON, or names with commas between them.
+    /// An answer as people read it; [`read`](Form::read) reads it back.
+    pub fn in_words(&self, answer: &Answer) -> String {
+        StateLabel::list(self.labels(answer))
+    }
+
+    /// Reads an answer: in JSON, or in words: names with commas between them, cells and states with semicolons.
     ///
     /// # Errors
     ///
     /// [`DocumentError`] with the place in the answer, what stands there and what would do.
     pub fn read(&self, text: &str) -> Result<Answer, DocumentError> {
         let bare = text.trim();
-        if !bare.starts_with(['[', '{', '"']) {
-            let names = bare.split(',').map(str::trim).filter(|name| !name.is_empty());
-            let names: Vec<Value> = names.map(Value::from).collect();
-            return self.of_values(&names, &|index| format!("answer[{index}]"));
+        let (values, are_known) = self.values(bare);
+        // States may have brackets in words as well.
+        if are_known || !bare.starts_with(['[', '{', '"']) {
+            return self.of_values(&values, &|index| format!("answer[{index}]"));
         }
         // Items with commas between them are a list, as names are.
         let items =
@@ -124,6 +131,24 @@ impl Form {
             }
             (single, _) => self.of_values(std::slice::from_ref(single), &|_| "answer".to_owned()),
         }
+    }
+
+    /// What the words of an answer stand for, and whether all of them are choices.
+    fn values(&self, words: &str) -> (Vec<Value>, bool) {
+        let separator = self.choices.first().map_or(",", |choice| choice.separator().trim());
+        let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let known: BTreeMap<String, &StateLabel> =
+            self.choices.iter().map(|choice| (plain(&choice.to_string()), choice)).collect();
+        let texts = words.split(separator).map(plain).filter(|text| !text.is_empty());
+        let mut are_known = true;
+        let values = texts.map(|text| match known.get(&text) {
+            Some(choice) => serde_json::to_value(choice).unwrap_or_default(),
+            None => {
+                are_known = false;
+                Value::from(text)
+            }
+        });
+        (values.collect(), are_known)
     }
 
     fn of_values(
@@ -156,12 +181,12 @@ impl Form {
     /// The first few choices, for a message.
     fn expected(&self) -> String {
         const SHOWN: usize = 8;
-        let mut shown: Vec<String> =
-            self.choices.iter().take(SHOWN).map(ToString::to_string).collect();
+        let mut shown = StateLabel::list(self.choices.iter().take(SHOWN));
         if self.choices.len() > SHOWN {
-            shown.push("…".to_owned());
+            shown.push_str(self.choices[0].separator());
+            shown.push('…');
         }
-        format!("a {} of {}", self.choice, shown.join(", "))
+        format!("a {} of {shown}", self.choice)
     }
 }
 
@@ -190,6 +215,18 @@ mod tests {
         let set = Form { arity: Arity::Set, ..cells.clone() };
         assert_eq!(set.read("[1, 2], [1, 2]").unwrap().choices(), [0]);
         assert_eq!(set.read("[[1, 2]]").unwrap().choices(), [0]);
+        assert_eq!(cells.read("column 1,  row 2").unwrap().choices(), [0]);
+        assert_eq!(set.in_words(&set.answer([0]).unwrap()), "column 1, row 2");
+        let facts = StateLabel::Facts(vec!["at a".into(), "has b".into()]);
+        let facts = Form { arity: Arity::Set, choice: "state", choices: vec![facts] };
+        assert_eq!(
+            facts.read(&facts.in_words(&facts.answer([0]).unwrap())).unwrap().choices(),
+            [0]
+        );
+        assert_eq!(
+            cells.read("row 1").unwrap_err().to_string(),
+            "answer[0]: found \"row 1\", expected a cell of column 1, row 2"
+        );
         assert_eq!(cells.to_json(&cells.answer([0]).unwrap()).to_string(), "[1,2]");
     }
 

@@ -39,11 +39,20 @@ fn as_object<S: Serializer>(
     serializer.collect_map(parts.iter().map(|(key, value)| (key, value)))
 }
 
+/// A cell in words, as the page says it as well; with `#` as documents have it.
+fn write_cell(f: &mut std::fmt::Formatter<'_>, column: u32, row: u32) -> std::fmt::Result {
+    if f.alternate() {
+        write!(f, "[{column}, {row}]")
+    } else {
+        write!(f, "column {column}, row {row}")
+    }
+}
+
 impl std::fmt::Display for Value {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Cell(column, row) => write!(f, "[{column}, {row}]"),
-            Self::Number(number) => number.fmt(f),
+        match *self {
+            Self::Cell(column, row) => write_cell(f, column, row),
+            Self::Number(number) => write!(f, "{number}"),
             Self::Name(name) => f.write_str(name),
         }
     }
@@ -52,15 +61,44 @@ impl std::fmt::Display for Value {
 impl std::fmt::Display for StateLabel {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Cell(column, row) => write!(f, "[{column}, {row}]"),
+            Self::Cell(column, row) => write_cell(f, *column, *row),
             Self::Name(name) => f.write_str(name),
             Self::Facts(facts) => write!(f, "{{{}}}", facts.join(", ")),
             Self::Parts(parts) => {
-                let parts: Vec<String> =
-                    parts.iter().map(|(key, value)| format!("{key} {value}")).collect();
+                let is_document = f.alternate();
+                let in_words = |(key, value): &(&str, Value)| match is_document {
+                    true => format!("{key} {value:#}"),
+                    false => format!("{key} {value}"),
+                };
+                let parts: Vec<String> = parts.iter().map(in_words).collect();
                 write!(f, "{{{}}}", parts.join(", "))
             }
         }
+    }
+}
+
+impl StateLabel {
+    /// States one after another: names with commas between them, what has commas itself with semicolons.
+    ///
+    /// ```
+    /// use mo_copp::problem::StateLabel;
+    /// let cells = [StateLabel::Cell(1, 0), StateLabel::Cell(3, 2)];
+    /// assert_eq!(StateLabel::list(&cells), "column 1, row 0; column 3, row 2");
+    /// ```
+    pub fn list<'l>(labels: impl IntoIterator<Item = &'l Self>) -> String {
+        let mut text = String::new();
+        for label in labels {
+            if !text.is_empty() {
+                text.push_str(label.separator());
+            }
+            text.push_str(&label.to_string());
+        }
+        text
+    }
+
+    /// What stands between this and another one.
+    pub(crate) fn separator(&self) -> &'static str {
+        if matches!(self, Self::Name(_)) { ", " } else { "; " }
     }
 }
 

@@ -292,7 +292,7 @@ fn plans_and_files() {
     for (arguments, message) in [
         (
             &["trace", "-", "--plan", "north,west"][..],
-            "mo-copp: the plan fails: step 2: found west, which is not applicable in [0, 6]: it leads nowhere from there\n",
+            "mo-copp: the plan fails: step 2: found west, which is not applicable in column 0, row 6: it leads nowhere from there\n",
         ),
         (
             &["trace", "-", "--plan", "north,fly"],

@@ -200,7 +200,7 @@ fn the_text_says_what_was_proved_and_who_believes_what() {
 optimal: no plan of any length has a greater goal difference
 plan: 3 actions
   load a1, load a2, deliver
-goal difference: 1.000
+goal difference: 1
   the enemy (adversarial) holds 6 of 6 goals possible: a1+a2, a1+b1, a1+b2, a2+b1, a2+b2, b1+b2
   the friend (cooperative) holds 1 of 6 goals possible: a1+a2
 work: ";

@@ -55,10 +55,10 @@ start: s0
   adversarial: 1 state (s0); possible goals: none yet
   cooperative: 1 state (s0); possible goals: none yet
 step 1: a to s1
-  adversarial: is told moved, 2 states (s1 s2); possible goals: G1, G2
+  adversarial: is told moved, 2 states (s1, s2); possible goals: G1, G2
   cooperative: is told a, 1 state (s1); possible goals: G1
 the plan reaches the true goal G1
-goal difference: 1.000
+goal difference: 1
 ";
     assert_eq!(ran.out, expected);
 }
@@ -72,7 +72,7 @@ fn a_plan_that_does_not_reach_the_goal_has_a_goal_difference_only_if_it_stopped_
     assert!(
         ran.out.ends_with(
             "the plan does not reach the true goal G1\n\
-             if it stopped here: 0 goals possible for the enemy, 0 for the friend, goal difference 0.000\n"
+             if it stopped here: 0 goals possible for the enemy, 0 for the friend, goal difference 0\n"
         ),
         "{}",
         ran.out

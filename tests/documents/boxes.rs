@@ -60,7 +60,7 @@ fn what_is_pushed_and_what_is_in_the_way() {
     let plan = Plan::from_names(problem.task(), &names).unwrap();
     let traced = trace(&problem, &plan).unwrap();
     let states: Vec<String> =
-        traced.steps.iter().map(|s| problem.label(s.state.words()).to_string()).collect();
+        traced.steps.iter().map(|s| format!("{:#}", problem.label(s.state.words()))).collect();
     assert_eq!(
         states,
         [

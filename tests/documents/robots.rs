@@ -53,7 +53,7 @@ fn what_takes_charge_and_what_does_not() {
     let plan = Plan::from_names(problem.task(), &names).unwrap();
     let traced = trace(&problem, &plan).unwrap();
     let states: Vec<String> =
-        traced.steps.iter().map(|s| problem.label(s.state.words()).to_string()).collect();
+        traced.steps.iter().map(|s| format!("{:#}", problem.label(s.state.words()))).collect();
     assert_eq!(
         states,
         [

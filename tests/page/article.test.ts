@@ -571,3 +571,44 @@ test("the keyboard comes to every link and button, and the focus shows", () =>
     assert.deepEqual(missed, []);
     assert.equal(reached.size, wanted);
   }));
+
+test("the columns of the contents begin on one line", () =>
+  read(async (page) => {
+    const places = await page.locator(".contents li").evaluateAll((items) =>
+      items.map((item) => {
+        const { left, top } = (item.firstElementChild ?? item).getBoundingClientRect();
+        return { left, top };
+      }),
+    );
+    const tops = new Map<number, number>();
+    for (const { left, top } of places) if (!tops.has(left)) tops.set(left, top);
+    assert.equal(tops.size, 2, "two columns");
+    assert.equal(new Set(tops.values()).size, 1, `they begin at ${[...tops.values()]}`);
+  }));
+
+test("a goal difference is written as a fraction in the text, in the pictures and in the figures", () =>
+  read(async (page) => {
+    const steps = await page.locator(".poster .step").allTextContents();
+    assert(
+      steps.some((text) => text.includes("Goal difference 1/3.")),
+      "the poster of a figure says 1/3",
+    );
+    await live(page, "price");
+    await page.locator("#price .difference .value", { hasText: "1/3" }).waitFor();
+    const text = await page.locator("main").innerText();
+    assert.deepEqual(text.match(/\b\d+\.\d+(?=[\s,.;)])/g)?.filter((number) => !/^10\./.test(number)) ?? [], []);
+  }));
+
+test("of two links to one step of different plans, the one that was followed is marked", () =>
+  read(async (page) => {
+    await live(page, "delivery");
+    const links = page.locator('#figure-delivery a[data-mo-copp-for="delivery"]');
+    for (const index of [1, 0]) {
+      await links.nth(index).click();
+      await page.waitForFunction(
+        ([link, other]) =>
+          link?.getAttribute("aria-current") === "step" && other?.hasAttribute("aria-current") === false,
+        [await links.nth(index).elementHandle(), await links.nth(1 - index).elementHandle()],
+      );
+    }
+  }));

@@ -353,3 +353,41 @@ test("no picture of a question tells what observers believe where that is hidden
     },
     { viewport: { width: 320, height: 700 } },
   ));
+
+/** The numbers in the picture of the agent's board. */
+const numbersOn = (page: Page): Promise<number[]> =>
+  page.locator(".exercise [data-of=actor] img").evaluate((image) => {
+    const address = (image as HTMLImageElement).src;
+    const svg = decodeURIComponent(address.slice(address.indexOf(",") + 1));
+    const texts = [...new DOMParser().parseFromString(svg, "image/svg+xml").querySelectorAll("text")];
+    return texts
+      .map(({ textContent }) => textContent ?? "")
+      .filter((text) => /^\d+$/.test(text))
+      .map(Number);
+  });
+
+test("a cell has one name: on the board, in the form and in what is said of an answer", () =>
+  visit(async ({ page }) => {
+    const upTo = (count: number) => Array.from({ length: count }, (_, index) => index);
+    for (const name of ["05-start", "09-walk-difference"]) {
+      await open(page, name);
+      await page.locator(".exercise [data-of=actor] img").waitFor();
+      const { width, height } = JSON.parse(exerciseText(name));
+      assert.deepEqual(await numbersOn(page), [...upTo(width), ...upTo(height)], name);
+    }
+    const action = page.locator("[data-action][aria-disabled=false]").first();
+    await action.click();
+    const where = page.locator(".walk-form .where, .choices .where");
+    await where.getByText("After 1 step: column").waitFor();
+    const cell = /column \d+, row \d+/.exec((await where.textContent()) ?? "")?.[0] ?? assert.fail("no cell is named");
+    await page.getByRole("button", { name: "Check the answer" }).click();
+    await page.locator("[data-verdict=wrong] ~ p", { hasText: `ends at ${cell}` }).waitFor();
+    // A cell that is chosen has its name, and the verdict speaks of it by the same one.
+    await open(page, "07-wall");
+    await page.locator('[data-choice="0,0"]').click();
+    assert.equal(await page.locator('[data-choice="0,0"]').getAttribute("aria-label"), "column 0, row 0");
+    await page.getByRole("button", { name: "Check the answer" }).click();
+    await page.locator("[data-verdict=wrong] ~ p", { hasText: "With the wall in column 0, row 0, " }).waitFor();
+    for (const text of await page.locator(".exercise").allInnerTexts())
+      assert(!/\[\d+, ?\d+\]/.test(text), `a cell is named otherwise: ${text}`);
+  }));

@@ -17,7 +17,7 @@ test("exact answers follow every change at once, within the bounds", () =>
     const { outcome } = solve(example, { solver: "exact", horizon: 14, j: 2 });
     assert.equal(await attribute(page, "data-gd"), String(outcome.goal_difference));
     assert.equal(await slider(page).getAttribute("max"), "14");
-    await page.getByText("Best of 14 moves within bounds: 0.667").waitFor();
+    await page.getByText("Best of 14 moves within bounds: 2/3").waitFor();
   }));
 
 test("the command for what the form asks can be copied", () =>
@@ -122,7 +122,7 @@ test("other solvers run on Solve; edits show the best possible and offer the sol
     const { outcome } = solve(example, { solver: "baseline" });
     assert.equal(await attribute(page, "data-gd"), String(outcome.goal_difference));
     await page.getByText("Baseline: reaches the goal.").waitFor();
-    await page.getByText("Best possible: 1 · this plan: 0.667").waitFor();
+    await page.getByText("Best possible: 1 · this plan: 2/3").waitFor();
     assert.equal(await page.getByRole("button", { name: /Solve again/ }).count(), 0);
 
     const document = JSON.parse(example);

@@ -73,10 +73,10 @@ test("of lengths that were not looked at nothing is said but that", () => {
   );
   assert.equal(
     lengthsInWords([none(0), some(1, 0), some(2, 0.5)], true, ""),
-    "The shortest plan has 1 move; the best here, 0.5, needs 2 moves.",
+    "The shortest plan has 1 move; the best here, 1/2, needs 2 moves.",
   );
   assert.equal(
     lengthsInWords([some(0, 0.5)], true, ""),
-    "The shortest plan has 0 moves; the best here, 0.5, is one of them.",
+    "The shortest plan has 0 moves; the best here, 1/2, is one of them.",
   );
 });

@@ -3,6 +3,7 @@
 pub mod args;
 mod code_table;
 pub mod grade;
+mod records;
 
 use std::fmt::Write;
 
@@ -54,7 +55,8 @@ fn show(args: &ShowArgs) -> Result<u8, CliError> {
     let _ = writeln!(text, "{}", report.question);
     let _ = writeln!(text, "kind: {}, seed: {}", report.kind, report.seed);
     if let Some(solution) = &report.solution {
-        let _ = writeln!(text, "solution: {}", solution.answer);
+        let answer = variant.form().in_words(variant.solution());
+        let _ = writeln!(text, "solution: {answer}");
         let _ = writeln!(text, "difficulty: size {}, steps {}", solution.size, solution.steps);
         for remark in &solution.remarks {
             let _ = writeln!(text, "trivial: {remark}");

@@ -106,7 +106,7 @@ impl<S: Pose> Stage<'_, S> {
             return Ok(());
         }
         let found = format!("{} {} without the start", belief.len(), S::PLURAL);
-        let expected = format!("the start {} among them", self.start.label());
+        let expected = format!("the start {:#} among them", self.start.label());
         Err(DocumentError::invalid(path, found, expected))
     }
 

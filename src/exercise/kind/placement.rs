@@ -8,7 +8,7 @@ use super::{Question, Solved, Watching};
 use crate::document::DocumentError;
 use crate::document::reader::Fields;
 use crate::exercise::answer::{Answer, Arity, Form, MAX_CHOICES};
-use crate::exercise::belief_layers::POSSIBLE;
+use crate::exercise::belief_layers::{POSSIBLE, called};
 use crate::exercise::edit::Draft;
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
@@ -91,7 +91,36 @@ impl Placement {
             let problem = Arc::new(document.problem()?);
             Ok(Subject { document, problem })
         });
-        made.map_err(|error| error.to_string())
+        made.map_err(|error| self.refusal(subject, cell, &error))
+    }
+
+    /// Why nothing can be placed in a cell, in the terms of the board.
+    fn refusal(&self, subject: &Subject, cell: [u32; 2], error: &DocumentError) -> String {
+        let draft = Draft::new(&subject.document);
+        if draft.walls().contains(&cell) {
+            return "a wall is there".to_owned();
+        }
+        if self.place == Place::Wall {
+            if draft.start() == Some(cell) {
+                return "the start is there".to_owned();
+            }
+            let mut goals = subject.goal_names().zip(draft.goals());
+            if let Some((name, _)) = goals.find(|&(_, goal)| goal == cell) {
+                return format!("the goal {name} is there");
+            }
+        }
+        let watched = subject.problem.observers().iter().find(|observer| {
+            error.to_string().starts_with(&format!("observers.{}.initial_belief", observer.name))
+        });
+        match (watched, self.place) {
+            (Some(observer), Place::Start) => {
+                format!("{} does not hold it possible at first", called(observer.role))
+            }
+            (Some(observer), _) => {
+                format!("{} holds it possible at first", called(observer.role))
+            }
+            (None, _) => error.to_string(),
+        }
     }
 
     /// Whether the goal is possible at the end of the walk.
@@ -164,9 +193,9 @@ impl Question for Placement {
         let Some(&[column, row]) = cell else {
             return Verdict::wrong([Finding::plain("No cell was chosen.")]);
         };
-        let name = self.place.name();
+        let (name, cell) = (self.place.name(), StateLabel::Cell(column, row));
         let fails = |why: &str| {
-            let text = format!("The {name} can't be placed in [{column}, {row}]: {why}.");
+            let text = format!("The {name} can't be placed in {cell}: {why}.");
             Verdict::wrong([Finding::plain(text)])
         };
         let placed = match self.placed(subject, [column, row]) {
@@ -183,7 +212,7 @@ impl Question for Placement {
             return Verdict::right();
         }
         let finding = layers.finding(&self.goal, POSSIBLE, holds);
-        let text = format!("With the {name} in [{column}, {row}] {}", finding.text);
+        let text = format!("With the {name} in {cell}, {}", finding.text);
         Verdict::wrong([Finding { text, ..finding }])
     }
 

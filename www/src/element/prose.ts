@@ -1,7 +1,7 @@
 // Links, buttons, fields and numbers in the page's prose that drive a playground and follow it, by attributes alone:
 // `data-mo-copp-for` names the playground by its id, `data-mo-copp-set-…` what a click sets (step, plan, problem …), and
 // `data-mo-copp-show` what is shown or, in a field, shown and set.
-import { shortNumber } from "../view/numbers.js";
+import { differenceText } from "../view/numbers.js";
 import { bringIntoView, isSeen } from "./into-view.js";
 import { chosenIn, showIn } from "./prose-field.js";
 
@@ -114,7 +114,8 @@ const changes = (part: Element): [name: string, value: string][] =>
 function write(part: HTMLElement, host: HTMLElement, shown: Shown | null): void {
   const step = part.getAttribute(`${SET}step`);
   if (step !== null) {
-    if (shown !== null && Number(step) === shown.step) part.setAttribute("aria-current", "step");
+    if (shown !== null && Number(step) === shown.step && isOfSame(part, host))
+      part.setAttribute("aria-current", "step");
     else part.removeAttribute("aria-current");
   }
   const name = part.getAttribute(SHOW);
@@ -122,12 +123,19 @@ function write(part: HTMLElement, host: HTMLElement, shown: Shown | null): void 
   if (value !== null) showIn(part, value, name === "step" ? (shown?.steps ?? null) : null);
 }
 
+/** Whether a link is to what the playground was asked to show last, and not to another plan or problem. */
+const isOfSame = (part: Element, host: Element): boolean =>
+  ["plan", "src", "problem"].every((name) => {
+    const [wanted, asked] = [part.getAttribute(SET + name), host.getAttribute(name)];
+    return wanted === null || asked === null || wanted === asked;
+  });
+
 function shownValue(name: string, host: HTMLElement, shown: Shown | null): string | null {
   if (name === "status") return host.dataset.status ?? null;
   if (shown === null) return null;
   switch (name) {
     case "gd":
-      return host.dataset.gd === undefined ? "–" : shortNumber(Number(host.dataset.gd));
+      return host.dataset.gd === undefined ? "–" : differenceText(Number(host.dataset.gd));
     case "step":
       return String(shown.step);
     case "steps":

@@ -4,7 +4,7 @@ import type { Scene } from "../core.js";
 import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import type { Verdict, Walk } from "../state/walk.js";
-import { shortNumber } from "../view/numbers.js";
+import { differenceText } from "../view/numbers.js";
 
 export interface WalkPanelStores {
   walk: Walk;
@@ -52,14 +52,14 @@ export function walkPanel(playground: WalkPanelStores): TemplateResult {
 
 function judged(walk: Walk, verdict: Verdict): TemplateResult | string {
   if (verdict.kind === "walking") return "";
-  const you = `You: ${shortNumber(verdict.difference)} in ${verdict.moves} ${verdict.moves === 1 ? "action" : "actions"}.`;
+  const you = `You: ${differenceText(verdict.difference)} in ${verdict.moves} ${verdict.moves === 1 ? "action" : "actions"}.`;
   if (verdict.kind === "comparing") return html`<p>${you} Looking for the best of that length…</p>`;
   const best = verdict.best.goal_difference;
   if (best === null) return html`<p>${you}</p>`;
   if (verdict.best.status !== "optimal") {
-    return html`<p>${you} The best found with as many: ${shortNumber(best)}.</p>`;
+    return html`<p>${you} The best found with as many: ${differenceText(best)}.</p>`;
   }
   if (best <= verdict.difference) return html`<p><b>${you}</b> No plan of that length does better.</p>`;
-  return html`<p><b>${you}</b> The best with as many: <b>${shortNumber(best)}</b>.
+  return html`<p><b>${you}</b> The best with as many: <b>${differenceText(best)}</b>.
     <button type="button" class="link" @click=${() => void walk.showBest()}>Show it</button></p>`;
 }

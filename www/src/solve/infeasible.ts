@@ -4,7 +4,7 @@ import type { Advice } from "../core.js";
 import type { Adviser } from "../state/adviser.js";
 import type { Result } from "../state/answer.js";
 import type { Solving } from "../state/solving.js";
-import { counted, shortNumber } from "../view/numbers.js";
+import { counted, differenceText } from "../view/numbers.js";
 
 export interface InfeasibleStores {
   adviser: Adviser;
@@ -28,7 +28,7 @@ export function infeasible(playground: InfeasibleStores, result: Result): Templa
               (remedy) => html`<li>
                 <button type="button" @click=${() => playground.solving.edit({ [remedy.change]: String(remedy.value) })}>
                   ${offer(remedy, result)}</button>
-                <small>goal difference up to ${shortNumber(remedy.goal_difference)}</small></li>`,
+                <small>goal difference up to ${differenceText(remedy.goal_difference)}</small></li>`,
             )}</ul>`
     }
   </div>`;

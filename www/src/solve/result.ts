@@ -4,7 +4,7 @@ import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import type { Answer, Result } from "../state/answer.js";
 import { type Form, solvers } from "../state/form.js";
-import { counted, shortNumber } from "../view/numbers.js";
+import { counted, differenceText } from "../view/numbers.js";
 import { type InfeasibleStores, infeasible } from "./infeasible.js";
 import { type ShownPlanStores, shownPlan } from "./shown-plan.js";
 import { caveat, scope, verdict } from "./verdict.js";
@@ -40,7 +40,7 @@ function answered(last: Result, optimum: Result | null): TemplateResult {
 function figures({ outcome }: Result): string {
   const { plan, goal_difference } = outcome;
   if (plan === null || goal_difference === null) return "";
-  return `Goal difference ${shortNumber(goal_difference)} in ${counted(plan.length, "move")}.`;
+  return `Goal difference ${differenceText(goal_difference)} in ${counted(plan.length, "move")}.`;
 }
 
 /** What can be done from here: with no plan the nearest that has one, else the solver that was chosen. */

@@ -1,7 +1,7 @@
 // A solver at work: what it has looked at, the best so far, and how far the proof is.
 import { html, type TemplateResult } from "lit";
 import type { Progress } from "../core.js";
-import { counted, duration, shortNumber } from "../view/numbers.js";
+import { counted, differenceText, duration } from "../view/numbers.js";
 
 export function work(progress: Progress | null, seconds: number, name: string): TemplateResult {
   return html`<div class="work">
@@ -13,8 +13,8 @@ export function work(progress: Progress | null, seconds: number, name: string): 
 function soFar({ unit, done, horizon, goal_difference, bound, gap }: Progress): string {
   const parts = [`${counted(done, unit === "nodes" ? "node" : "state")} looked at`];
   if (horizon !== null) parts.push(`plans of ${counted(horizon, "move")}`);
-  parts.push(goal_difference === null ? "no plan yet" : `best so far ${shortNumber(goal_difference)}`);
-  if (bound !== null) parts.push(`at most ${shortNumber(bound)} possible`);
-  if (gap !== null) parts.push(`gap ${shortNumber(gap)}`);
+  parts.push(goal_difference === null ? "no plan yet" : `best so far ${differenceText(goal_difference)}`);
+  if (bound !== null) parts.push(`at most ${differenceText(bound)} possible`);
+  if (gap !== null) parts.push(`gap ${differenceText(gap)}`);
   return `${parts.join(", ")}.`;
 }

@@ -2,7 +2,7 @@
 import { html, type TemplateResult } from "lit";
 import type { Answer, Result } from "../state/answer.js";
 import type { Boards } from "../state/boards.js";
-import { counted, shortNumber } from "../view/numbers.js";
+import { counted, differenceText } from "../view/numbers.js";
 
 export interface BestPossibleStores {
   answer: Answer;
@@ -18,7 +18,7 @@ export function bestPossible(playground: BestPossibleStores, labelled: boolean):
   if (isImpossible(playground)) return html`<p class="best">No plan can do what is asked.</p>`;
   const thing = labelled ? "" : " goal difference";
   return html`<p class="best">${optimum === null ? `Best possible${thing}: …` : words(optimum, thing)}${
-    less ? html` · <span class="less">this plan: <b>${shortNumber(shown)}</b></span>` : ""
+    less ? html` · <span class="less">this plan: <b>${differenceText(shown)}</b></span>` : ""
   }</p>`;
 }
 
@@ -29,7 +29,7 @@ export const isImpossible = ({ answer: { optimum, result } }: Pick<BestPossibleS
 function words({ options, outcome }: Result, thing: string): TemplateResult {
   const { status, goal_difference, limit } = outcome;
   if (goal_difference === null) return html`Best possible${thing}: not known${limit === undefined ? "" : " (stopped)"}`;
-  const value = html`<b>${shortNumber(goal_difference)}</b>`;
+  const value = html`<b>${differenceText(goal_difference)}</b>`;
   if (status !== "optimal") return html`Best${thing} found: ${value}`;
   const { horizon, k, j } = options;
   const length = typeof horizon === "number" ? ` of ${counted(horizon, "move")}` : "";

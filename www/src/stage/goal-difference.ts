@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { glossaryLink } from "../help/glossary-link.js";
 import type { Timeline } from "../state/timeline.js";
-import { shortNumber } from "../view/numbers.js";
+import { differenceText } from "../view/numbers.js";
 import { type BestPossibleStores, bestPossible, isImpossible } from "./best-possible.js";
 import { type InvitationStores, invitation, isInvited } from "./invitation.js";
 
@@ -28,9 +28,9 @@ export function goalDifference(playground: GoalDifferenceStores): TemplateResult
   // That there can be no plan is said beside it.
   const lacking = walking ? "You are not at the true goal." : isImpossible(playground) ? "" : waiting;
   const now =
-    final === null ? lacking : atEnd ? "The plan ends here." : `Goal difference at the end: ${shortNumber(final)}.`;
+    final === null ? lacking : atEnd ? "The plan ends here." : `Goal difference at the end: ${differenceText(final)}.`;
   return html`<div class="difference">
-    ${none ? value("none") : atEnd ? html`${value(shortNumber(final))} ${formula(counts)}` : soFar(playground, counts)}
+    ${none ? value("none") : atEnd ? html`${value(differenceText(final))} ${formula(counts)}` : soFar(playground, counts)}
     <div class="after">${now === "" ? nothing : html`<p class="final">${now}</p>`} ${
       // Of the problem that is open, not of the goal that was drawn.
       playground.boards.disguise.value === null ? bestPossible(playground, final !== null) : nothing

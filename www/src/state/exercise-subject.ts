@@ -1,9 +1,10 @@
 // What an exercise asks about where its author has not said: a question that the plan shown makes no trivial one, as far
 // as its steps tell. The core has the last word (`Exercise.prove`).
+
 import type { TraceStep } from "../core.js";
 import type { ProblemDocument, Role } from "../problem/types.js";
+import { differenceText } from "../view/numbers.js";
 import { roles } from "../view/observers.js";
-import { differenceText } from "./goal-difference-text.js";
 
 export const kinds = ["possible-goals", "belief", "walk", "best", "placement", "guess"] as const;
 export const places = ["camera", "wall", "start"] as const;
@@ -53,7 +54,7 @@ export function subjectOf(chosen: Chosen, shown: Shown): Subject {
     step,
     place: offered.find((place) => place === chosen.place) ?? offered[0] ?? "start",
     goal: shown.goals.find((goal) => goal === chosen.goal) ?? goalOf(chosen, shown, { observer, step }),
-    difference: chosen.difference ?? differenceText(shown.best ?? 0.5, shown.goals.length),
+    difference: chosen.difference ?? differenceText(shown.best ?? 0.5),
   };
 }
 

@@ -25,14 +25,3 @@ function nearest(value: number, goals: number): number | null {
   // No minus zero.
   return Math.abs(exact - value) <= ROUNDED ? exact + 0 : null;
 }
-
-/** A goal difference as a fraction where it is no whole number: `2/3`. */
-export function differenceText(value: number, goals: number): string {
-  const exact = nearest(value, goals);
-  if (exact === null) return String(Math.round(value * 1000) / 1000);
-  const [above, below] = [Math.round(exact * (goals - 1)), goals - 1];
-  const common = divisor(Math.abs(above), below);
-  return below === common ? String(above / common) : `${above / common}/${below / common}`;
-}
-
-const divisor = (one: number, other: number): number => (other === 0 ? one : divisor(other, one % other));

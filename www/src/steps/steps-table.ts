@@ -8,7 +8,7 @@ import type { Boards } from "../state/boards.js";
 import type { Timeline } from "../state/timeline.js";
 import { download } from "../view/download.js";
 import { named, visible } from "../view/names.js";
-import { shortNumber } from "../view/numbers.js";
+import { differenceText } from "../view/numbers.js";
 import { called, type Role } from "../view/observers.js";
 import { csv } from "./csv.js";
 import { rolesSeen, type StepRow, stepRows } from "./row.js";
@@ -83,7 +83,7 @@ function row(playground: StepsTableStores, step: StepRow, seen: readonly Role[],
         <td class="count">${states}</td>
         <td>${goals.length === 0 ? "none" : goals.length > MOST_NAMES ? `${goals.length} goals` : listed(goals)}</td>`;
     })}
-    ${guessing ? nothing : html`<td class="count">${step.difference === null ? "" : shortNumber(step.difference)}</td>`}
+    ${guessing ? nothing : html`<td class="count">${step.difference === null ? "" : differenceText(step.difference)}</td>`}
   </tr>`;
 }
 

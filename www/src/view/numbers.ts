@@ -3,8 +3,22 @@
 const short = new Intl.NumberFormat("en", { maximumFractionDigits: 3 });
 const whole = new Intl.NumberFormat("en", { maximumFractionDigits: 0 });
 
-/** At most three decimals, with a true minus sign and no minus zero. */
-export const shortNumber = (value: number): string => short.format(value + 0).replace("-", "−");
+/** More candidate goals than this make fractions that nobody reads. */
+const LARGEST_BELOW = 999;
+
+/**
+ * A goal difference, or a bound of one, as the core writes it and the article has it: a fraction in its lowest terms where it
+ * is one, else at most three decimals; with a true minus sign and no minus zero.
+ */
+export function differenceText(value: number): string {
+  for (let below = 1; below <= LARGEST_BELOW; below += 1) {
+    const above = Math.round(value * below);
+    if (Math.abs(above / below - value) >= 1e-9) continue;
+    const text = below === 1 ? String(Math.abs(above)) : `${Math.abs(above)}/${below}`;
+    return above < 0 ? `−${text}` : text;
+  }
+  return short.format(value + 0).replace("-", "−");
+}
 
 export const wholeNumber = (value: number): string => whole.format(value);
 

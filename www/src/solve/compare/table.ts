@@ -3,7 +3,7 @@ import { html, nothing, svg, type TemplateResult } from "lit";
 import type { Boards } from "../../state/boards.js";
 import type { Comparison, Row } from "../../state/comparison.js";
 import type { Plans } from "../../state/plans.js";
-import { duration, shortNumber } from "../../view/numbers.js";
+import { differenceText, duration } from "../../view/numbers.js";
 import { proved, verdict } from "../verdict.js";
 
 export interface ComparisonTableStores {
@@ -66,7 +66,7 @@ function answer(row: Row): TemplateResult | string {
 /** The number with a bar that grows from the middle: to the right for the good side. */
 function difference(value: number): TemplateResult {
   const width = Math.abs(value) * 24;
-  return html`<span class="bar-value">${shortNumber(value)}</span><svg class="bar" viewBox="0 0 48 8" aria-hidden="true">
+  return html`<span class="bar-value">${differenceText(value)}</span><svg class="bar" viewBox="0 0 48 8" aria-hidden="true">
     ${svg`<rect class="track" width="48" height="8" rx="2"></rect>
       <rect class=${value < 0 ? "less" : "more"} x=${value < 0 ? 24 - width : 24} width=${width} height="8"></rect>
       <line x1="24" x2="24" y1="0" y2="8"></line>`}</svg>`;

@@ -3,7 +3,7 @@ import type { LengthPoint } from "../../core.js";
 import type { Boards } from "../../state/boards.js";
 import type { Plans } from "../../state/plans.js";
 import type { Timeline } from "../../state/timeline.js";
-import { counted, shortNumber } from "../../view/numbers.js";
+import { counted, differenceText } from "../../view/numbers.js";
 
 export interface LengthPointStores {
   boards: Boards;
@@ -37,7 +37,7 @@ export function lengthPoints(playground: LengthPointStores, lengths: readonly Le
       best,
       shown: value !== null && length === moves && Math.abs(value - goal_difference) < 1e-9,
       first: false,
-      name: `${counted(length, "move")}: goal difference ${shortNumber(goal_difference)}, ${adversarial} possible for the enemy, ${cooperative} for the friend${best ? ", the best" : ""}`,
+      name: `${counted(length, "move")}: goal difference ${differenceText(goal_difference)}, ${adversarial} possible for the enemy, ${cooperative} for the friend${best ? ", the best" : ""}`,
       choose: () => void playground.plans.show(plan, `the best plan of ${counted(length, "move")}`),
     };
   });

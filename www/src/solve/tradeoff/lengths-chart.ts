@@ -2,7 +2,7 @@
 // none, and a line for the best of at most so many moves.
 import { html, svg, type TemplateResult } from "lit";
 import type { LengthPoint } from "../../core.js";
-import { shortNumber } from "../../view/numbers.js";
+import { differenceText } from "../../view/numbers.js";
 import { isFeasible, type ShownLength } from "./length-points.js";
 import { pointKeys, pointView } from "./points.js";
 
@@ -33,7 +33,7 @@ export function lengthsChart(points: readonly ShownLength[], lengths: readonly L
       <rect class="plot" x=${LEFT} y=${TOP - 8} width=${WIDTH - LEFT - RIGHT} height=${PLOT + 28} rx="6"></rect>
       ${ticks.map(
         (tick) => svg`<line class="same" x1=${LEFT} x2=${WIDTH - RIGHT} y1=${y(tick)} y2=${y(tick)}></line>
-          <text class="tick" x=${LEFT - 6} y=${y(tick) + 4} text-anchor="end">${shortNumber(tick)}</text>`,
+          <text class="tick" x=${LEFT - 6} y=${y(tick) + 4} text-anchor="end">${differenceText(tick)}</text>`,
       )}
       ${drawn.map(({ length }) =>
         (length - shortest) % every === 0

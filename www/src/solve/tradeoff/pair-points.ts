@@ -4,7 +4,7 @@ import type { Boards } from "../../state/boards.js";
 import type { Pair } from "../../state/pairs.js";
 import type { Plans } from "../../state/plans.js";
 import type { Timeline } from "../../state/timeline.js";
-import { counted, shortNumber } from "../../view/numbers.js";
+import { counted, differenceText } from "../../view/numbers.js";
 
 export interface PairPointStores {
   boards: Boards;
@@ -51,7 +51,7 @@ export function pairPoints(
       outside,
       shown: end?.adversarial.length === adversarial && end.cooperative.length === cooperative,
       first: false,
-      name: `${adversarial} possible for the enemy, ${cooperative} for the friend: goal difference ${shortNumber(value)} in ${counted(plan.length, "move")}${outside ? ", outside the bounds" : best ? ", the best" : ""}`,
+      name: `${adversarial} possible for the enemy, ${cooperative} for the friend: goal difference ${differenceText(value)} in ${counted(plan.length, "move")}${outside ? ", outside the bounds" : best ? ", the best" : ""}`,
       choose: () =>
         void playground.plans.show(
           plan,

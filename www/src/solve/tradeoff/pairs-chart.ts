@@ -1,7 +1,7 @@
 // The pairs of survivor counts that plans can reach, as points in a grid: the friend's to the right, the enemy's up.
 // The slanted lines join pairs of one goal difference, which is written where they end.
 import { html, svg, type TemplateResult } from "lit";
-import { shortNumber } from "../../view/numbers.js";
+import { differenceText } from "../../view/numbers.js";
 import type { Bounds, PairPoint } from "./pair-points.js";
 import { pointKeys, pointView } from "./points.js";
 
@@ -33,8 +33,8 @@ export function pairsChart(points: readonly PairPoint[], goals: number, bounds: 
           <text class="tick" x=${LEFT - 8} y=${y(count) + 4} text-anchor="end">${count}</text>`,
       )}
       ${counts.filter(labelled).map((count) => {
-        const above = shortNumber(difference(goals, count, goals));
-        const beside = shortNumber(difference(count, goals, goals));
+        const above = differenceText(difference(goals, count, goals));
+        const beside = differenceText(difference(count, goals, goals));
         return svg`<text class="value" x=${x(count)} y=${TOP - 7} text-anchor="middle">${above}</text>
           ${count === goals ? "" : svg`<text class="value" x=${LEFT + SIDE + 5} y=${y(count) + 4}>${beside}</text>`}`;
       })}

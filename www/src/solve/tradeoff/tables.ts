@@ -1,7 +1,7 @@
 // The two charts' twins: the same points as tables, each with a button that shows its plan.
 import { html, type TemplateResult } from "lit";
 import type { LengthPoint } from "../../core.js";
-import { shortNumber } from "../../view/numbers.js";
+import { differenceText } from "../../view/numbers.js";
 import type { ShownLength } from "./length-points.js";
 import type { PairPoint } from "./pair-points.js";
 
@@ -12,7 +12,7 @@ export function pairsTable(points: readonly PairPoint[]): TemplateResult {
     points.map(
       (point) => html`<tr>
       <td>${point.adversarial}</td><td>${point.cooperative}</td>
-      <td>${shortNumber(point.difference)}${point.best ? " (best)" : ""}${point.outside ? " (outside the bounds)" : ""}</td>
+      <td>${differenceText(point.difference)}${point.best ? " (best)" : ""}${point.outside ? " (outside the bounds)" : ""}</td>
       <td>${point.plan.length}</td><td>${button(point)}</td></tr>`,
     ),
   );
@@ -27,7 +27,7 @@ export function lengthsTable(points: readonly ShownLength[], lengths: readonly L
       return point === undefined
         ? html`<tr><td>${length.length}</td><td colspan="4">no plan</td></tr>`
         : html`<tr>
-          <td>${point.length}</td><td>${shortNumber(point.goal_difference)}${point.best ? " (best)" : ""}</td>
+          <td>${point.length}</td><td>${differenceText(point.goal_difference)}${point.best ? " (best)" : ""}</td>
           <td>${point.adversarial}</td><td>${point.cooperative}</td><td>${button(point)}</td></tr>`;
     }),
   );

@@ -2,7 +2,7 @@
 // known is said.
 import type { LengthPoint } from "../../core.js";
 import type { Pairs } from "../../state/pairs.js";
-import { counted, shortNumber } from "../../view/numbers.js";
+import { counted, differenceText } from "../../view/numbers.js";
 import { isFeasible } from "./length-points.js";
 
 /** `goals`: how many candidate goals there are. */
@@ -36,5 +36,5 @@ export function lengthsInWords(lengths: readonly LengthPoint[], complete: boolea
   if (shortest === undefined) return `No plan of at most ${counted(last, "move")}${within}.${proved}`;
   const best = feasible.reduce((one, other) => (other.goal_difference > one.goal_difference ? other : one));
   const needs = best === shortest ? "is one of them" : `needs ${counted(best.length, "move")}`;
-  return `The shortest plan${within} has ${counted(shortest.length, "move")}; the best here, ${shortNumber(best.goal_difference)}, ${needs}.${proved}`;
+  return `The shortest plan${within} has ${counted(shortest.length, "move")}; the best here, ${differenceText(best.goal_difference)}, ${needs}.${proved}`;
 }
