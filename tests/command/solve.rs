@@ -264,7 +264,7 @@ fn the_best_of_each_length_is_shown() {
     let place = lines.iter().position(|line| line.starts_with("best goal difference of each"));
     let table = &lines[place.unwrap() + 1..][..15];
     assert_eq!(table[13], "    13 actions: no plan");
-    assert!(table[14].starts_with("    14 actions:  0."), "{}", table[14]);
+    assert!(table[14].starts_with("    14 actions:      0 (1, 1): "), "{}", table[14]);
     let ran = mo_copp(GRID, &["solve", "-", "--lengths", "13", "--json"]);
     assert_eq!((ran.code, ran.json()["status"].as_str()), (1, Some("infeasible")));
     let ran = mo_copp(GRID, &["solve", "-", "--lengths", "13", "--horizon", "13"]);

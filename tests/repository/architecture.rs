@@ -85,6 +85,7 @@ const MODULES: Table = &[
             "domain",
             "exercise",
             "experiment",
+            "goal_difference",
             "limits",
             "pddl",
             "picture",
