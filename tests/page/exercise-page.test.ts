@@ -222,8 +222,8 @@ for (const link of [false, true])
 const workplace = ".stage, .stepper, [part=workbench], [role=tab], [part=goals], .problem-bar, [data-board], .exercise";
 
 test("a question that can't be opened shows why and nothing else", async () => {
-  const { exercise, ...problem } = JSON.parse(exerciseText("09-walk-difference"));
-  const impossible = JSON.stringify({ ...problem, exercise: { ...exercise, goal_difference: 1, vary: undefined } });
+  const problem = JSON.parse(problemText("09-walk-difference"));
+  const impossible = JSON.stringify({ ...problem, exercise: { kind: "walk", at_most: 1 } });
   const at =
     await course(`<mo-copp-playground link="off" name="q"><script type="application/json">${impossible}</script>
     </mo-copp-playground>`);
@@ -231,7 +231,7 @@ test("a question that can't be opened shows why and nothing else", async () => {
     async ({ page }) => {
       await page.goto(at);
       const one = page.locator("mo-copp-playground");
-      await one.getByRole("alert").getByText("no walk answers the question").waitFor();
+      await one.getByRole("alert").getByText("found no walk answers the question").waitFor();
       assert.equal(await one.locator(workplace).count(), 0);
       assert.equal(await one.getByRole("button", { name: "Close the message" }).count(), 0);
       // The next problem that is given is shown as ever.

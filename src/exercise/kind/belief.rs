@@ -10,6 +10,7 @@ use crate::exercise::belief_layers::BELIEVED;
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
 use crate::exercise::{Difficulty, Unfit};
+use crate::problem::StateLabel;
 use crate::task::StateSpace;
 
 /// The question.
@@ -98,7 +99,12 @@ impl Question for Belief {
                 let holds = |words: &[u64]| words == &state[..];
                 let is_chosen = answer.choices().contains(&(place as u32));
                 if is_chosen == chosen && layers.possible(holds) != chosen {
-                    let name = format!("{}", subject.problem.label(state));
+                    let label = subject.problem.label(state);
+                    // A cell's name is words, and begins a sentence here.
+                    let name = match label {
+                        StateLabel::Cell(..) => label.to_string().replacen('c', "C", 1),
+                        _ => label.to_string(),
+                    };
                     return Verdict::wrong([layers.finding(&name, BELIEVED, holds)]);
                 }
             }

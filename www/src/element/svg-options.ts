@@ -10,7 +10,7 @@ export interface SvgOptions extends Omit<PictureOptions, "animate"> {
 
 const known: Record<keyof SvgOptions, true> = {
   ...{ step: true, walk: true, milliseconds: true, board: true, captions: true },
-  ...{ theme: true, true_goal: true, ended: true },
+  ...{ theme: true, true_goal: true, ended: true, numbers: true },
 };
 
 /** A page's script may hand over anything: what is no plain data stays behind, and the core says what does not fit. */

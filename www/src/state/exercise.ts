@@ -353,8 +353,6 @@ export class Exercise {
       // Who guesses the goal must not see which it is.
       true_goal: kind !== "guess",
       ended: told !== undefined,
-      // Answers and what is said of them name cells by these.
-      numbers: true,
       theme: this.scheme,
     };
     const plan = told ?? given;

@@ -48,7 +48,9 @@ export function sketched(core: Core, { document, plan, boards, options }: Of<"sk
   try {
     const last = problem.overview(plan, 1).steps.at(-1) ?? null;
     const pictures = boards.map((board) => {
-      const drawn = problem.picture(plan, { ...options, board, captions: false });
+      // Answers and what is said of them name cells by their numbers; the observers' boards are too small for any.
+      const numbers = board === "actor";
+      const drawn = problem.picture(plan, { ...options, board, numbers, captions: false });
       // The description that a picture carries tells what observers believe; the page's own words stand beside it.
       return drawn.replace(/<desc>[^<]*<\/desc>/, "");
     });
