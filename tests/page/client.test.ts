@@ -207,6 +207,7 @@ test("the full core is fetched in a pause after an answer, not while there is wo
   mock.timers.enable({ apis: ["setTimeout"] });
   const told = () => ScriptedWorker.last.heard.filter(({ kind }) => kind === "ahead").length;
   const client = new SolverClient();
+  client.lookAhead();
   const answer = async () => {
     const ending = client.run(solve);
     const { id } = ScriptedWorker.last.heard.at(-1) as { id: number };
@@ -228,6 +229,28 @@ test("the full core is fetched in a pause after an answer, not while there is wo
   assert.equal(told(), 1);
   if (before) Object.defineProperty(globalThis, "navigator", before);
   else Reflect.deleteProperty(globalThis, "navigator");
+  client.dispose();
+  mock.timers.reset();
+});
+
+test("the full core is not fetched ahead before somebody is at work, and then in the next pause", async () => {
+  mock.timers.enable({ apis: ["setTimeout"] });
+  const told = () => ScriptedWorker.last.heard.filter(({ kind }) => kind === "ahead").length;
+  const client = new SolverClient();
+  const ending = client.run(solve);
+  ScriptedWorker.last.say({ kind: "ready" });
+  ScriptedWorker.last.say({ kind: "solved", id: 1, outcome, trace, scene });
+  await ending;
+  mock.timers.tick(60_000);
+  assert.equal(told(), 0);
+  client.lookAhead();
+  assert.equal(told(), 0);
+  mock.timers.tick(1000);
+  assert.equal(told(), 1);
+  // Said again, it changes nothing.
+  client.lookAhead();
+  mock.timers.tick(60_000);
+  assert.equal(told(), 1);
   client.dispose();
   mock.timers.reset();
 });

@@ -10,6 +10,7 @@ import { scene, solve } from "./support/core.js";
 import { grid } from "./support/documents.js";
 import { documentOf, entries } from "./support/gallery.js";
 import { attribute, choose, openTab, press, statusIs, useDocument } from "./support/playground.js";
+import { address } from "./support/site.js";
 import { withoutLookingAhead } from "./support/workers.js";
 
 await initLight({
@@ -122,6 +123,36 @@ test("in the first pause the full core is fetched, and everything is answered by
     },
   );
 });
+
+test("in a page of other people the full core is fetched once somebody is at work in the playground, and not before", () =>
+  visit(async (visited) => {
+    const { page } = visited;
+    await page.goto("about:blank");
+    visited.requests.length = 0;
+    await page.route(`${address}lesson/page.html`, (route) =>
+      route.fulfill({
+        contentType: "text/html",
+        body: `<!doctype html><html lang="en"><title>Lesson</title><link rel="icon" href="data:,">
+          <script type="module" src="../mo-copp-playground.js"></script><h1>Lesson</h1>
+          <mo-copp-playground id="one" problem="corridor"></mo-copp-playground>`,
+      }),
+    );
+    // The pause is over as soon as it has begun: a page that waits for one fetches the core at once.
+    await page.clock.install();
+    await page.goto(`${address}lesson/page.html`);
+    const until = async (there: () => Promise<boolean>) => {
+      while (!(await there())) await page.clock.runFor(100);
+    };
+    await until(() => page.locator("#one[data-status=optimal]").isVisible());
+    await page.getByRole("heading", { name: "Lesson" }).click();
+    await page.clock.runFor(60_000);
+    await page.waitForLoadState("networkidle");
+    assert.deepEqual(fetched(visited), { light: 1, full: 0 });
+    await page.locator("#one [data-board=actor]").click({ position: { x: 5, y: 5 } });
+    const asked = page.context().waitForEvent("request", (request) => isFull(new URL(request.url()).pathname));
+    await page.clock.runFor(2000);
+    await asked;
+  }));
 
 test("the first load fetches the light core alone, another solver the full one, once", () =>
   onDemand(async (visited) => {

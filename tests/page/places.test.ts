@@ -23,6 +23,8 @@ for (const host of [home, closed, open]) {
   host.own.set("lesson/core.wasm", { body: core });
   host.own.set("lesson/light.wasm", { body: light });
   host.own.set("lesson/html.js", { body: html });
+  host.own.set("lesson/silent.js", { body: "self.silent = true" });
+  host.own.set("lesson/chatty.js", { body: "postMessage(null)" });
   host.own.set("lesson/page.html.js", { body: html, headers: { "Content-Type": "text/html" } });
 }
 
@@ -58,6 +60,7 @@ test("what worker-url and wasm-url name, and what is wrong with it", () =>
         ['wasm-url=""', "“” can’t be used for the attribute wasm-url; expected an address."],
         ['worker-url="http://["', "“http://[” can’t be used for the attribute worker-url; expected an address."],
         ['worker-url="html.js"', "what worker-url names, “html.js”, is not its script: "],
+        ['worker-url="chatty.js"', "what worker-url names, “chatty.js”, is not its script: its first message is none"],
         ['worker-url="page.html.js"', "what worker-url names, “page.html.js”, is not its script: "],
         [
           `worker-url="${closed.address}lesson/html.js"`,
@@ -74,6 +77,23 @@ test("what worker-url and wasm-url name, and what is wrong with it", () =>
         assert(!/Access-Control/.test(text) || attributes.includes(closed.address), `${attributes}: ${text}`);
         assert.equal(await alert(page).getByRole("button", { name: "Try again" }).count(), 1, attributes);
       }
+    },
+    { quiet: false },
+  ));
+
+test("a worker-url whose script runs and is not the worker is said, and tried again", () =>
+  visit(
+    async ({ page }) => {
+      const silent = (page: Page) =>
+        alert(page)
+          .getByText("what worker-url names, “silent.js”, is not its script: it runs, and gives no sign.")
+          .waitFor();
+      await lesson(page, 'worker-url="silent.js"');
+      await silent(page);
+      const worker = readFileSync(join(dist, "assets", file(/^solver\.worker-.*\.js$/)));
+      home.own.set("lesson/silent.js", { body: worker });
+      await alert(page).getByRole("button", { name: "Try again" }).click();
+      await page.waitForSelector("#one[data-status=optimal]");
     },
     { quiet: false },
   ));

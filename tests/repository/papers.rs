@@ -55,6 +55,8 @@ fn versions_agree() {
     let version = env!("CARGO_PKG_VERSION");
     assert!(read("CHANGELOG.md").contains(&format!("## [{version}]")), "{version} in CHANGELOG.md");
     assert!(read("package.json").contains(&format!("\"version\": \"{version}\"")), "package.json");
+    let names = "www/src/worker/names.ts";
+    assert!(read(names).contains(&format!("VERSION = \"{version}\"")), "{names}");
 }
 
 #[test]

@@ -34,6 +34,7 @@ import { choosePlaces } from "../worker/places.js";
 import type { Answered } from "../worker/protocol.js";
 import { AttributeMessage } from "./attribute-message.js";
 import { Notifier } from "./events.js";
+import { FirstUse } from "./first-use.js";
 import { keepInSight } from "./in-sight.js";
 import { linkAddressOf } from "./link-address.js";
 import { LiveRender } from "./live-render.js";
@@ -95,6 +96,7 @@ export class View {
   private readonly drops: DropTarget;
   private readonly announcer: Announcer;
   private readonly keys: PageKeys;
+  private readonly firstUse: FirstUse;
   private readonly picture: LiveRender;
   private readonly tour: Tour;
   private readonly printing = new Printing(() => this.picture.now());
@@ -136,6 +138,7 @@ export class View {
     this.drops = new DropTarget(this.playground, () => this.question.refusal);
     this.announcer = new Announcer(this.playground);
     this.keys = new PageKeys(this.playground, root, host.shadowRoot ?? root, () => keyReachOf(host));
+    this.firstUse = new FirstUse(host);
     this.picture = new LiveRender(
       root,
       () => this.content(),
@@ -161,6 +164,7 @@ export class View {
     this.drops.listen(this.sharing.value ? window : this.host);
     this.announcer.listen();
     this.keys.listen();
+    this.firstUse.listen();
     this.printing.connect();
     this.stopScheme = followScheme(host, (scheme) => this.playground.exercise.colour(scheme));
     this.sizes.observe(this.root);
@@ -178,6 +182,7 @@ export class View {
     this.drops.release();
     this.announcer.release();
     this.keys.release();
+    this.firstUse.release();
     this.printing.disconnect();
     this.playground.dispose();
   }

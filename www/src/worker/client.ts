@@ -1,6 +1,7 @@
 // The page's side of the worker: gives tasks ids, drops stale replies, and replaces a worker that is lost or does not
 // obey a cancel.
 import type { Progress, Scene, Trace } from "../core.js";
+import { Greeting, type Hello } from "./greeting.js";
 import { keptOutcome } from "./kept-outcome.js";
 import { NotLoaded } from "./not-loaded.js";
 import { chosenPlaces } from "./places.js";
@@ -11,7 +12,7 @@ import { type SolverWorker, startWorker } from "./start.js";
 /** A worker that has not taken up a task or answered a cancel by then is in one long piece of work: it is ended. */
 const PATIENCE_MS = 2000;
 
-/** After an answer and so long a pause, the worker fetches the full core, which answers faster from then on. */
+/** After an answer and so long a pause, the worker fetches the full core, where `lookAhead` was asked for. */
 const PAUSE_MS = 1000;
 
 /** How a task ended, as the page sees it: the worker's answer, or one of the two ends that a worker can't tell. */
@@ -49,6 +50,8 @@ export class SolverClient {
   private lastId = 0;
   private current: Current | null = null;
   private ahead: ReturnType<typeof setTimeout> | undefined;
+  private looksAhead = false;
+  private greeting: Greeting | null = null;
 
   /** Whether there is a worker, ready or loading. */
   get started(): boolean {
@@ -58,6 +61,13 @@ export class SolverClient {
   /** Has the worker load the core, for the task that will come. */
   prepare(): void {
     this.worker ??= this.startWorker();
+  }
+
+  /** From now on the worker fetches the full core in a pause, before anything needs it. */
+  lookAhead(): void {
+    if (this.looksAhead) return;
+    this.looksAhead = true;
+    if (this.ready) this.fetchAhead();
   }
 
   /** Starts a task; any task before it becomes stale. */
@@ -102,7 +112,11 @@ export class SolverClient {
   private startWorker(): SolverWorker {
     this.ready = false;
     const worker = startWorker();
-    worker.onmessage = ({ data }: MessageEvent<Reply>) => this.take(data);
+    const greeting = new Greeting((message) => this.lose(message, { advised: true }));
+    this.greeting = greeting;
+    worker.onmessage = ({ data }: MessageEvent<Reply>) => {
+      if (greeting.takes(data)) this.take(data);
+    };
     worker.onmessageerror = () => this.lose("a message of the solver could not be read");
     worker.onerror = (event) => {
       event.preventDefault();
@@ -113,11 +127,12 @@ export class SolverClient {
 
   private stopWorker(): void {
     clearTimeout(this.ahead);
+    this.greeting?.end();
     this.worker?.terminate();
     this.worker = null;
   }
 
-  private take(reply: Reply): void {
+  private take(reply: Exclude<Reply, Hello>): void {
     if (reply.kind === "ask") {
       // The worker's own affair: elsewhere.ts answers.
     } else if (reply.kind === "ready") {
@@ -139,12 +154,13 @@ export class SolverClient {
       this.current.report(reply);
     } else {
       this.finish(reply);
-      if (reply.kind === "solved") this.lookAhead();
+      if (reply.kind === "solved") this.fetchAhead();
     }
   }
 
   /** Where data is to be saved, nothing is fetched that has not been asked for. */
-  private lookAhead(): void {
+  private fetchAhead(): void {
+    if (!this.looksAhead) return;
     const { connection } = (globalThis.navigator ?? {}) as { connection?: { saveData?: boolean } };
     if (connection?.saveData || this.current !== null) return;
     this.ahead = setTimeout(() => this.send({ kind: "ahead" }), PAUSE_MS);

@@ -1,6 +1,6 @@
 // The two builds of the core. The page begins with the light one, which is built for size and has exact search for one
-// best plan alone, without PDDL. The full one is built for speed; it is fetched in the first pause, or before if something needs it, and does
-// everything from then on. Which things need it, the light core says.
+// best plan alone, without PDDL. The full one is built for speed; it is fetched where something needs it, or in a pause that the page tells of,
+// and does everything from then on. Which things need it, the light core says.
 
 import initFull, { Exercise as FullExercise, Problem as FullProblem, seedOf } from "../../pkg/mo_copp.js";
 import initLight, { Problem as LightProblem } from "../../pkg-light/mo_copp_light.js";

@@ -61,7 +61,7 @@ function supply(worker: Worker, { light, full }: { light: URL | null; full: URL 
       (error: Error) => worker.postMessage({ kind, core: null, error: error.message } satisfies CoreMessage),
     );
   worker.addEventListener("message", ({ data }: MessageEvent<Reply>) => {
-    if (data.kind === "ask") void send("full", full);
+    if (data?.kind === "ask") void send("full", full);
   });
   if (light !== null) void send("light", light);
   else void send("full", full);

@@ -46,6 +46,11 @@ export class WorkerPool {
     this.places[0]?.client.prepare();
   }
 
+  /** From now on workers fetch the full core in a pause: somebody is at work, and edits are answered faster by it. */
+  lookAhead(): void {
+    for (const { client } of this.places) client.lookAhead();
+  }
+
   /** Starts a job as soon as there is a worker; `before`, an older job of the same owner, becomes stale. */
   start(job: Job, before: Job | null): void {
     this.owners.add(job.owner);

@@ -18,6 +18,8 @@ import type {
   TraceStep,
 } from "../core.js";
 
+import type { Hello } from "./greeting.js";
+
 /** A variant of an exercise: by number, or that of a name. */
 export type Seed = number | { name: string };
 
@@ -93,6 +95,8 @@ export type Answer =
 
 /** Worker to page. */
 export type Reply =
+  /** The first word of a worker: whose script it is. */
+  | Hello
   /** The core is loaded. */
   | { kind: "ready" }
   /** The full core is needed, by a worker that cannot fetch it. */

@@ -3,6 +3,7 @@ import type { Eliminations, SolveOptions } from "../core.js";
 import { type Core, loadFirst, lookAhead, onCore, type Problem, takeCore } from "./cores.js";
 import { asked, judged, proved, sketched } from "./exercises.js";
 import { failure, faultIn, unstarted } from "./failure.js";
+import { VERSION } from "./names.js";
 import type { Answer, CoreMessage, Fault, Message, Reply, Task } from "./protocol.js";
 import { inSlices } from "./slices.js";
 import { nextTurn } from "./turn.js";
@@ -17,6 +18,7 @@ let cancelled = 0;
 let open: { core: Core; document: string; problem: Problem } | null = null;
 
 const post = (reply: Reply) => self.postMessage(reply);
+post({ kind: "hello", version: VERSION });
 const loaded = loadFirst(() => post({ kind: "ask" })).then(() => post({ kind: "ready" }));
 // Each task waits for it and reports its failure; this only keeps the console quiet until one does.
 loaded.catch(() => undefined);
