@@ -9,6 +9,30 @@ use thiserror::Error;
 /// that takes texts in, the page too, reads this number and has none of its own.
 pub const MAX_TEXT_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } else { 32 << 20 };
 
+/// What a text that is longer than [`MAX_TEXT_BYTES`] is told: what was found, and what was expected. Both to the byte,
+/// since a text may be too long by one.
+///
+/// ```
+/// use mo_copp::limits::{MAX_TEXT_BYTES, excess_of_text};
+/// assert_eq!(excess_of_text(&" ".repeat(MAX_TEXT_BYTES)), None);
+/// let (found, expected) = excess_of_text(&" ".repeat(MAX_TEXT_BYTES + 1)).unwrap();
+/// assert_eq!(found, "33,554,433 bytes of text");
+/// assert_eq!(expected, "at most 33,554,432 (32 MiB)");
+/// ```
+pub fn excess_of_text(text: &str) -> Option<(String, String)> {
+    let most = MAX_TEXT_BYTES;
+    let expected = || format!("at most {} ({} MiB)", grouped(most), most >> 20);
+    (text.len() > most).then(|| (format!("{} bytes of text", grouped(text.len())), expected()))
+}
+
+/// A number with a comma before each three digits.
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let groups = digits.as_bytes().rchunks(3).rev();
+    let groups: Vec<_> = groups.map(String::from_utf8_lossy).collect();
+    groups.join(",")
+}
+
 /// The most values (texts, numbers, lists, objects) of a document. A value takes 24 bytes where it
 /// stands and at least 32 where it points to, and a list three times that while it grows, so that
 /// `[[0],[0],…]` would take 40 times the memory of its text.

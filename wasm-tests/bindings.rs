@@ -169,7 +169,7 @@ fn options_that_do_not_fit_throw() {
         (r#"{"solver": "exact", "k": 7}"#, "k: found 7, expected a whole number from 1 to 6"),
         (
             r#"{"solver": "exact", "width": 7}"#,
-            "document: found the unknown key \"width\", expected only solver, encoding, horizon, horizon_step, horizon_limit, k, j, require, forbid, pairs, pareto, lengths, cost_limit",
+            "options: found the unknown key \"width\", expected only solver, encoding, horizon, horizon_step, horizon_limit, k, j, require, forbid, pairs, pareto, lengths, cost_limit",
         ),
         (
             r#"{"solver": "ip", "horizon": "any"}"#,

@@ -8,7 +8,7 @@ use serde::de::{DeserializeSeed, Deserializer, Error as _, MapAccess, SeqAccess,
 
 use super::DocumentError;
 use super::syntax::{TOO_MANY, TWICE, explained};
-use crate::limits::{MAX_TEXT_BYTES, MAX_VALUES};
+use crate::limits::{MAX_VALUES, excess_of_text};
 
 /// A JSON value. Values take no more room than they need: a document may hold millions.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,13 +37,11 @@ impl Json {
     ///
     /// # Errors
     ///
-    /// [`DocumentError::Invalid`] where the text is longer than [`MAX_TEXT_BYTES`],
+    /// [`DocumentError::Invalid`] where the text is longer than [`MAX_TEXT_BYTES`](crate::limits::MAX_TEXT_BYTES),
     /// [`DocumentError::Syntax`] with line and column elsewhere; a key given twice and more than
     /// [`MAX_VALUES`] values are such errors.
     pub fn parse(text: &str) -> Result<Self, DocumentError> {
-        if text.len() > MAX_TEXT_BYTES {
-            let found = format!("{} MiB of text", text.len() >> 20);
-            let expected = format!("at most {} MiB", MAX_TEXT_BYTES >> 20);
+        if let Some((found, expected)) = excess_of_text(text) {
             return Err(DocumentError::invalid("document", found, expected));
         }
         let mut reader = serde_json::Deserializer::from_str(text);

@@ -9,6 +9,8 @@ use super::name;
 pub struct Reader<'a> {
     value: &'a Json,
     path: String,
+    /// What the whole is called.
+    whole: &'static str,
 }
 
 /// An object whose keys have been checked.
@@ -16,17 +18,31 @@ pub struct Reader<'a> {
 pub struct Fields<'a> {
     entries: &'a [(Box<str>, Json)],
     path: String,
+    whole: &'static str,
 }
 
 impl<'a> Reader<'a> {
     /// The whole document.
     pub fn new(value: &'a Json) -> Self {
-        Self { value, path: String::new() }
+        Self::of("document", value)
+    }
+
+    /// The whole of something else, which its messages call `whole`.
+    ///
+    /// ```
+    /// use mo_copp::document::{json::Json, reader::Reader};
+    /// let json = Json::parse("[1]")?;
+    /// let error = Reader::of("options", &json).fields(&["k"]).unwrap_err();
+    /// assert_eq!(error.to_string(), "options: found [1], expected an object");
+    /// # Ok::<(), mo_copp::document::DocumentError>(())
+    /// ```
+    pub fn of(whole: &'static str, value: &'a Json) -> Self {
+        Self { value, path: String::new(), whole }
     }
 
     /// Where this value stands, as in `goals[1].cell`.
     pub fn path(&self) -> &str {
-        if self.path.is_empty() { "document" } else { &self.path }
+        if self.path.is_empty() { self.whole } else { &self.path }
     }
 
     /// The value itself.
@@ -46,7 +62,9 @@ impl<'a> Reader<'a> {
     /// The value is no object.
     pub fn entries(&self) -> Result<Fields<'a>, DocumentError> {
         match self.value {
-            Json::Object(entries) => Ok(Fields { entries, path: self.path.clone() }),
+            Json::Object(entries) => {
+                Ok(Fields { entries, path: self.path.clone(), whole: self.whole })
+            }
             _ => Err(self.expected("an object")),
         }
     }
@@ -72,7 +90,11 @@ impl<'a> Reader<'a> {
     pub fn array<const N: usize>(&self) -> Option<[Reader<'a>; N]> {
         let Json::Array(items) = self.value else { return None };
         let items: &'a [Json; N] = (**items).try_into().ok()?;
-        let item = |i: usize| Reader { value: &items[i], path: format!("{}[{i}]", self.path) };
+        let item = |i: usize| Reader {
+            value: &items[i],
+            path: format!("{}[{i}]", self.path),
+            whole: self.whole,
+        };
         Some(std::array::from_fn(item))
     }
 
@@ -90,7 +112,11 @@ impl<'a> Reader<'a> {
         // would take far more memory than the items.
         let mut list = Vec::with_capacity(items.len());
         for (index, value) in items.iter().enumerate() {
-            list.push(read(&Reader { value, path: format!("{}[{index}]", self.path) })?);
+            list.push(read(&Reader {
+                value,
+                path: format!("{}[{index}]", self.path),
+                whole: self.whole,
+            })?);
         }
         Ok(list)
     }
@@ -171,7 +197,7 @@ impl<'a> Fields<'a> {
     /// The value of a key, where it is there.
     pub fn optional(&self, key: &str) -> Option<Reader<'a>> {
         let (_, value) = self.entries.iter().find(|(known, _)| **known == *key)?;
-        Some(Reader { value, path: self.path_of(key) })
+        Some(Reader { value, path: self.path_of(key), whole: self.whole })
     }
 
     /// The value of a key.
@@ -191,7 +217,7 @@ impl<'a> Fields<'a> {
     /// A key is blank when shown, or holds a sign that is hidden.
     pub fn named(&self) -> Result<impl Iterator<Item = (&'a str, Reader<'a>)> + '_, DocumentError> {
         for (key, _) in self.entries {
-            name::check(if self.path.is_empty() { "document" } else { &self.path }, key)?;
+            name::check(if self.path.is_empty() { self.whole } else { &self.path }, key)?;
         }
         Ok(self.all())
     }
@@ -199,7 +225,7 @@ impl<'a> Fields<'a> {
     /// All keys and values.
     pub fn all(&self) -> impl Iterator<Item = (&'a str, Reader<'a>)> + '_ {
         let reader = |(key, value): &'a (Box<str>, Json)| {
-            (&**key, Reader { value, path: self.path_of(key) })
+            (&**key, Reader { value, path: self.path_of(key), whole: self.whole })
         };
         self.entries.iter().map(reader)
     }

@@ -6,7 +6,7 @@
 //! also without a blank before it, as in `(at aircraft?a)`, which other planners read so.
 
 use super::error::{PddlError, place, quoted};
-use crate::limits::MAX_TEXT_BYTES;
+use crate::limits::excess_of_text;
 
 /// How deep parentheses may be nested. Classic domains need six; readers of conditions recurse.
 pub const MAX_DEPTH: usize = 64;
@@ -47,14 +47,8 @@ pub(super) struct Expressions<'t> {
 impl<'a> Tree<'a> {
     /// Reads a text of any number of expressions. Linear in its length.
     pub(super) fn read(text: &'a str) -> Result<Self, PddlError> {
-        if text.len() > MAX_TEXT_BYTES {
-            let found = format!("{} MiB of text", text.len() >> 20);
-            return Err(PddlError::at(
-                text,
-                0,
-                found,
-                format!("at most {} MiB", MAX_TEXT_BYTES >> 20),
-            ));
+        if let Some((found, expected)) = excess_of_text(text) {
+            return Err(PddlError::at(text, 0, found, expected));
         }
         let mut nodes = Vec::new();
         let mut open: Vec<usize> = Vec::new();

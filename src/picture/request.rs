@@ -41,7 +41,7 @@ pub fn read_picture_options(
     last: usize,
 ) -> Result<PictureOptions, DocumentError> {
     let json = Json::parse(text)?;
-    let fields = Reader::new(&json).fields(&KEYS)?;
+    let fields = Reader::of("options", &json).fields(&KEYS)?;
     let mut options = PictureOptions::step(last);
     if let Some(step) = fields.optional("step") {
         options.steps = Steps::One(step.integer(0..=last as u32)? as usize);

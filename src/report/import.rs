@@ -48,7 +48,7 @@ impl ImportReport {
 /// ```
 pub fn read_import_files(text: &str) -> Result<Vec<ImportFile>, DocumentError> {
     let json = Json::parse(text)?;
-    Reader::new(&json).list(|file| {
+    Reader::of("files", &json).list(|file| {
         let fields = file.fields(&["name", "text"])?;
         let text = |key, expected| {
             let reader = fields.required(key, expected)?;
@@ -76,7 +76,7 @@ pub fn read_import_options(text: &str) -> Result<ImportOptions, DocumentError> {
         "true_goal",
     ];
     let json = Json::parse(text)?;
-    let fields = Reader::new(&json).fields(&KEYS)?;
+    let fields = Reader::of("options", &json).fields(&KEYS)?;
     let mut options = ImportOptions::default();
     if let Some(sensor) = fields.optional("adversarial_sensor") {
         sensor.text()?.clone_into(&mut options.adversarial_sensor);

@@ -49,7 +49,7 @@ pub struct Request {
 /// ```
 pub fn read_request(text: &str, problem: &Problem) -> Result<Request, DocumentError> {
     let json = Json::parse(text)?;
-    let fields = Reader::new(&json).fields(&KEYS)?;
+    let fields = Reader::of("options", &json).fields(&KEYS)?;
     let solver = fields.required("solver", &Solver::ALL.map(Solver::name).join(", "))?;
     let mut options = Options::new(solver.one_of(&Solver::ALL, Solver::name)?);
     if let Some(encoding) = fields.optional("encoding") {
