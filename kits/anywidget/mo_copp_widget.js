@@ -76,7 +76,10 @@ function listen(model, playground) {
     tell({ outcome: detail, document: playground.document }),
   );
   model.on("change:step", () => {
-    if (String(model.get("step")) !== playground.dataset.step) void playground.goTo(model.get("step"));
+    if (String(model.get("step")) === playground.dataset.step) return;
+    // A step beyond the last is the last: Python is told which one is shown.
+    const told = () => tell({ step: playground.state?.step ?? Number(playground.dataset.step) });
+    playground.goTo(model.get("step")).then(told, told);
   });
   model.on("change:document", () => {
     const document = model.get("document");
@@ -84,7 +87,10 @@ function listen(model, playground) {
   });
   model.on("change:plan", () => {
     const plan = model.get("plan");
-    if (!same(plan, playground.state?.plan ?? [])) playground.setAttribute("plan", plan.join(","));
+    if (same(plan, playground.state?.plan ?? [])) return;
+    // The attribute may have this text already, from before somebody walked on: taken away and set, it is followed again.
+    playground.removeAttribute("plan");
+    playground.setAttribute("plan", plan.join(","));
   });
 }
 

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { dist, inRoot, nodeModules } from "../../scripts/lib/paths.mjs";
+import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
 import { visit } from "../page/support/browser.js";
 import { grid } from "../page/support/documents.js";
 import { startHost } from "../page/support/host.js";
@@ -315,6 +316,30 @@ print(json.dumps({name: state[name] for name in ("problem", "hide", "theme", "so
     await page.waitForFunction(
       "window.model.values.document.width === 6 && window.model.values.document.format === 'gridworld'",
     );
+    // A plan is set again after somebody walked elsewhere.
+    const plan = ["north", "north"];
+    const shown = (step: number) =>
+      page
+        .waitForFunction(
+          (wanted) =>
+            JSON.stringify(document.querySelector<MoCoppPlayground>("mo-copp-playground")?.state?.plan) === wanted,
+          JSON.stringify(plan),
+        )
+        .then(() => ready(page, `[data-step="${step}"]`, "mo-copp-playground"));
+    const sets = (name: string, value: unknown) =>
+      page.evaluate(`window.model.python("${name}", ${JSON.stringify(value)})`);
+    await sets("plan", plan);
+    await shown(2);
+    await page.evaluate(() => {
+      const playground = document.querySelector<MoCoppPlayground>("mo-copp-playground");
+      if (playground?.state) playground.state = { ...playground.state, mode: "walk", plan: ["east"], step: 1 };
+    });
+    await page.waitForFunction(`window.model.values.plan.join() === "east"`);
+    await sets("plan", plan);
+    await shown(2);
+    // A step beyond the last is the last, and Python is told.
+    await sets("step", 99);
+    await page.waitForFunction("window.model.values.step === 2");
     await page.evaluate("window.undo()");
     assert.equal(await page.locator("mo-copp-playground").count(), 0);
   }, kit));
