@@ -83,7 +83,8 @@ test("settings that can't be used are said, and the problem is shown", () =>
   visit(async ({ page }) => {
     await course(
       page,
-      `<mo-copp-playground id="one" problem="corridor" solver="magic" step="abc" hide="tols legend" link="of" loading="lazzy" k="99" j="2"></mo-copp-playground>`,
+      `<mo-copp-playground id="one" problem="corridor" solver="magic" step="abc" hide="tols legend" link="of" loading="lazzy" k="99" j="2"
+        watch="false" student="   " root="x"></mo-copp-playground>`,
     );
     const alert = page.locator("#one").getByRole("alert").first();
     await alert.getByText("“magic” can’t be used for the attribute solver; expected exact, ip,").waitFor();
@@ -91,9 +92,13 @@ test("settings that can't be used are said, and the problem is shown", () =>
     await alert.getByText("“tols” can’t be used for the attribute hide; expected parts").waitFor();
     await alert.getByText("“of” can’t be used for the attribute link; expected on, off.").waitFor();
     await alert.getByText("“lazzy” can’t be used for the attribute loading; expected lazy, eager.").waitFor();
+    await alert.getByText("“false” can’t be used for the attribute watch; expected no value").waitFor();
+    await alert.getByText("“   ” can’t be used for the attribute student; expected a name").waitFor();
+    await alert.getByText("“x” can’t be used for the attribute root; expected page").waitFor();
     await alert.getByText("“99” can’t be used for the attribute k; expected a whole number from 1 to 4.").waitFor();
     assert.equal(await page.locator("#one .title", { hasText: "One step too far" }).count(), 1);
-    assert.equal(await page.locator("#one").getAttribute("data-step"), "5");
+    // An attribute that is there says yes, whatever its value.
+    assert.equal(await page.locator("#one").getAttribute("data-step"), "0");
     assert.equal(await page.locator("#one .legend").count(), 0);
     await page.locator("#one").getByRole("button", { name: "Close the message" }).click();
     await ready(page, "#one");
@@ -101,6 +106,16 @@ test("settings that can't be used are said, and the problem is shown", () =>
     await page.evaluate(() => document.querySelector("#one")?.setAttribute("step", "2"));
     await ready(page, "#one", '[data-step="2"]');
     assert.equal(await alert.textContent().then((text) => text?.trim()), "");
+    for (const [src, protocol] of [
+      ["javascript:alert(1)", "javascript:"],
+      ["mailto:someone@example.org", "mailto:"],
+    ]) {
+      await page.evaluate((src) => document.querySelector("#one")?.setAttribute("src", src ?? ""), src);
+      await alert
+        .getByText(`“${src}” could not be loaded: “${protocol}” is no place of documents; expected an`)
+        .waitFor();
+      assert.equal(await page.locator("#one").getAttribute("data-step"), "2", "what was shown stays");
+    }
     // In a frame's address as well, where the page has parts of its own.
     await page.goto(`${address}?problem=corridor&step=-1&k=many&hide=intro,footer`);
     const own = page.getByRole("alert").first();

@@ -23,6 +23,13 @@ const foreign = [
   "later",
   "100%",
   "2.1-x",
+  // Numbered places that the page has later, or never.
+  "1.5",
+  "1.",
+  "1.introduction",
+  "1.introduction-to-planning-under-two-kinds-of-eyes-at-once",
+  "1.Introduction-To-2-Kinds-Of-Eyes-And-How-They-See-The-Same-Plan",
+  "12.34.56",
 ];
 
 async function lesson(page: Page, fragment = ""): Promise<void> {
@@ -45,7 +52,7 @@ const rest = (page: Page) => page.waitForTimeout(800);
 
 test("the page's own places and routes are left alone, when it opens and when it goes on", () =>
   visit(async ({ page }) => {
-    for (const fragment of ["%C3%BCbung-2", "/route/3"]) {
+    for (const fragment of ["%C3%BCbung-2", "/route/3", "1.5"]) {
       await lesson(page, `#${fragment}`);
       await ready(page, '[data-step="5"]');
       await rest(page);

@@ -34,6 +34,8 @@ test("the theme is the page's: by its color-scheme, its tool's switch, or the at
       await lesson(
         page,
         `<style>:root:has(#dark:checked, #button[aria-pressed=true]), [data-color-mode=dark] { color-scheme: dark }</style>
+          <style id="off">:root { color-scheme: dark }</style><style id="words">body { color: #ddd; background: #222 }</style><style id="written"></style>
+          <script>for (const name of ["off", "words"]) document.getElementById(name).sheet.disabled = true;</script>
           <input type="checkbox" id="dark">
           <button id="button" aria-pressed="false" onclick="this.ariaPressed = this.ariaPressed !== 'true'">Dark</button>${one}`,
       );
@@ -48,6 +50,33 @@ test("the theme is the page's: by its color-scheme, its tool's switch, or the at
         [`${body}.style.background = "#191919"`, `${body}.style.background = "#fff"`],
         [`${body}.style.background = "oklch(0.25 0.02 250)"`, `${body}.style.background = "oklab(0.9 0 0)"`],
         [`${body}.style.background = "color(srgb 0.1 0.1 0.1)"`, `${body}.style.background = "lab(80 0 0)"`],
+        // A ground may be a gradient, and what a picture shows is told by the text on it.
+        [`${body}.style.background = "linear-gradient(45deg, #111, #334 60%, #fff)"`, `${body}.style.background = ""`],
+        [
+          `${body}.style.background = "linear-gradient(#0001, #0001), radial-gradient(oklch(0.2 0 0), #222) #fff"`,
+          `${body}.style.background = "linear-gradient(#eee, #fff) #111"`,
+        ],
+        [
+          `${body}.style.background = "url(data:image/png,) "; ${body}.style.color = "#eee"`,
+          `${body}.style.color = "#222"`,
+        ],
+        // Style sheets that a script switches, adopts or writes into, which no event tells of.
+        [
+          `${body}.removeAttribute("style"); document.querySelector("#off").sheet.disabled = false`,
+          `document.querySelector("#off").sheet.disabled = true`,
+        ],
+        [
+          `document.querySelector("#words").sheet.disabled = false`,
+          `document.querySelector("#words").sheet.disabled = true`,
+        ],
+        [
+          `document.adoptedStyleSheets = [new CSSStyleSheet()]; document.adoptedStyleSheets[0].replaceSync(":root { color-scheme: dark }")`,
+          `document.adoptedStyleSheets = []`,
+        ],
+        [
+          `document.querySelector("#written").sheet.insertRule("html { color-scheme: dark }")`,
+          `document.querySelector("#written").sheet.deleteRule(0)`,
+        ],
         // Switches that no attribute tells of: a ground that fades, and a field that styles ask for.
         [
           `${body}.style.transition = "background-color 50ms"; ${body}.style.background = "#111"`,
@@ -721,4 +750,33 @@ test("where parts stand goes by the size that all goes by, and not by the page's
       }
       assert.equal(layouts.size, 1, `one layout at ${width} pixels, whatever the root`);
     }
+  }));
+
+test("whichever way a page writes, the boards are as large as ever, and its letters are set as ever", () =>
+  visit(async ({ page }) => {
+    const hostile = `visibility: visible; letter-spacing: 5px; word-spacing: 9px; line-height: 4; text-indent: 50px; text-transform: uppercase;
+      white-space: pre; text-orientation: upright; hyphens: auto; tab-size: 20; font: italic 700 40px/3 serif; text-align: right; direction: rtl;
+      border-spacing: 20px; caption-side: bottom; quotes: none; orphans: 9; overflow-wrap: anywhere; word-break: break-all; line-break: anywhere`;
+    const measured = async (style: string) => {
+      await lesson(page, `<div style="${style}"><div style="width: 800px">${one}</div></div>`);
+      await ready(page);
+      return page.locator("#one").evaluate((playground) => {
+        const found = [...(playground.shadowRoot?.querySelectorAll("svg[data-board], h2, .stepper") ?? [])];
+        const sizes = found
+          .map((part) => part.getBoundingClientRect())
+          .map(({ width, height }) => [width, height].map(Math.round));
+        return { sizes, width: Math.round(playground.getBoundingClientRect().width) };
+      });
+    };
+    const plain = await measured("");
+    assert.equal(plain.width, 800);
+    assert(plain.sizes.length > 3, "boards and headings are found");
+    for (const mode of ["vertical-rl", "vertical-lr", "sideways-rl"])
+      assert.deepEqual(await measured(`writing-mode: ${mode}`), plain, mode);
+    assert.deepEqual(await measured(`writing-mode: vertical-rl; ${hostile}`), plain, "all that is inherited");
+    // Where the place has no width of its own, there are boards all the same.
+    await lesson(page, `<div style="writing-mode: vertical-rl; height: 600px">${one}</div>`);
+    await ready(page);
+    const board = await page.locator("#one svg[data-board=actor]").first().boundingBox();
+    assert((board?.width ?? 0) > 100 && (board?.height ?? 0) > 30, `the board is ${JSON.stringify(board)}`);
   }));

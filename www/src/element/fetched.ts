@@ -10,6 +10,10 @@ type Fetched =
 
 const INSIDE = "A document may stand in the element itself, as a script of the type application/json.";
 
+/** What a page can read from. */
+const protocols: readonly string[] = ["https:", "http:", "data:", "blob:", "file:"];
+const expected = "an address by https:, http:, data: or blob:, or relative to the page";
+
 export async function fetched(given: string): Promise<Fetched> {
   const refused = (why: string, mayCome = false): Fetched => ({
     fault: `The problem document “${brief(given)}” ${why}`,
@@ -18,6 +22,8 @@ export async function fetched(given: string): Promise<Fetched> {
   if (given.trim() === "") return { fault: "The attribute src is empty; expected an address.", mayCome: false };
   if (!URL.canParse(given, document.baseURI)) return refused("could not be loaded: this is no address.");
   const address = new URL(given, document.baseURI);
+  if (!protocols.includes(address.protocol))
+    return refused(`could not be loaded: “${address.protocol}” is no place of documents; expected ${expected}.`);
   const tooLarge = `is too large: at most ${LARGEST_IN_WORDS} can be opened.`;
   let text: string;
   try {

@@ -5,6 +5,7 @@ import { adopt } from "./adopt.js";
 import { PlaygroundElement } from "./playground-element.js";
 import { followInProse } from "./prose.js";
 import { Theme } from "./theme.js";
+import { probe, probeStyle } from "./theme-probe.js";
 import type { View } from "./view.js";
 
 /**
@@ -15,7 +16,7 @@ import type { View } from "./view.js";
  * A page may make the host a row, a grid or a table: all of it is one box, which is as wide as the host.
  */
 const frame = `
-:host { display: block; }
+:host { display: block; writing-mode: horizontal-tb; }
 :host([hidden]) { display: none !important; }
 .whole { display: block; flex: 1 1 auto; grid-column: 1 / -1; place-self: start stretch; width: 100%; min-width: 0; }
 .width { all: initial; display: block; height: 0; overflow: hidden; visibility: hidden; font-size: inherit;
@@ -24,6 +25,7 @@ const frame = `
 .mo-copp-part { all: initial; display: block; visibility: inherit; pointer-events: inherit; }
 .mo-copp-part.waiting { min-height: 30rem; }
 .mo-copp-part.waiting.has-poster { display: none; }
+${probeStyle}
 slot { display: none; }
 slot.poster { display: contents; }
 slot.poster ~ .has-poster:not(.waiting) > :not(.error, .failure) { display: none; }
@@ -153,10 +155,14 @@ export class MoCoppPlayground extends PlaygroundElement {
     const whole = document.createElement("div");
     whole.className = "whole";
     whole.append(width, this.#slotted, root);
-    shadow.append(whole);
+    const theme = new Theme(this, root, true);
+    shadow.append(
+      whole,
+      probe(() => theme.soon()),
+    );
     this.#root = root;
     look();
-    this.#theme = new Theme(this, root, true);
+    this.#theme = theme;
     return root;
   }
 

@@ -82,6 +82,8 @@ const pageParts = ["intro", "footer"] as const;
 /** Words that are as good as none at all are among them. */
 const links = ["on", "off"] as const;
 const loadings = ["lazy", "eager"] as const;
+/** How HTML, and the tools that write it, say that an attribute without a value is there. */
+const yes = ["", "watch", "true"] as const;
 
 /**
  * What of these attributes can't be used: a sentence for each that says what was expected. `goals`: how many the problem
@@ -90,13 +92,18 @@ const loadings = ["lazy", "eager"] as const;
 export function mistakes(element: Element, names: ReadonlySet<string>, goals: number | null): string[] {
   const value = (name: string) => (names.has(name) ? element.getAttribute(name) : null);
   const [solver, step, theme, keys] = [value("solver"), value("step"), value("theme"), value("keys")];
-  const seed = value("seed");
+  const [seed, student, watch, root] = [value("seed"), value("student"), value("watch"), value("root")];
   const found: string[] = [];
   if (solver !== null && !isOneOf(solverNames, solver)) found.push(unusable("solver", solver, solverNames.join(", ")));
   if (step !== null && stepOf(step) === null) found.push(unusable("step", step, "a whole number from 0"));
   if (theme !== null && !isOneOf(themes, theme)) found.push(unusable("theme", theme, themes.join(", ")));
   if (keys !== null && !isOneOf(keyReaches, keys)) found.push(unusable("keys", keys, keyReaches.join(", ")));
   if (seed !== null && wholeNumberOf(seed) === null) found.push(unusable("seed", seed, "a whole number from 0"));
+  if (student?.trim() === "") found.push(unusable("student", student, "a name; without one the attribute is left out"));
+  if (watch !== null && !isOneOf(yes, watch))
+    found.push(unusable("watch", watch, "no value: the attribute alone says yes, and no attribute says no"));
+  if (root !== null && root !== "page")
+    found.push(unusable("root", root, "page, which is for the playground’s own page alone"));
   for (const [name, words] of Object.entries({ link: links, loading: loadings })) {
     const word = value(name);
     if (word !== null && !isOneOf(words, word)) found.push(unusable(name, word, words.join(", ")));

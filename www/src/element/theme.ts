@@ -22,7 +22,7 @@ const switches: readonly [attribute: string, light: RegExp, dark: RegExp][] = [
   ],
 ];
 
-/** A switch may be a field or a button that styles ask for by `:has(…)`, a ground may fade, and a style sheet come later. */
+/** A switch may be a field or a button that styles ask for by `:has(…)`, a ground may fade, and a style sheet come later. What none of these tells, theme-probe.ts feels. */
 const events = ["change", "click", "load", "transitionend"] as const;
 
 export class Theme {
@@ -76,7 +76,7 @@ export class Theme {
   };
 
   /** Before the page is painted the next time: what changes often is looked at once. */
-  private soon(): void {
+  soon(): void {
     if (this.frame !== 0) return;
     this.frame = requestAnimationFrame(() => {
       this.frame = 0;
@@ -159,10 +159,24 @@ const DARK_LAB = 34;
 /** As dark as what is painted behind it; a page that paints nothing is light, whatever the system. */
 function groundOf(around: readonly Element[]): Scheme {
   for (const element of around) {
-    const dark = isDark(getComputedStyle(element).backgroundColor);
+    const { backgroundColor, backgroundImage } = getComputedStyle(element);
+    const dark = isDarkGradient(backgroundImage) ?? isDark(backgroundColor);
     if (dark !== null) return dark ? "dark" : "light";
+    // What a picture shows can't be known, but text on it is meant to be read.
+    if (/\burl\(|\bimage-set\(/.test(backgroundImage))
+      return isDark(getComputedStyle(element).color) ? "light" : "dark";
   }
   return "light";
+}
+
+/** Of the nearest gradient of a ground: as most of its colours are; null where they let through what is behind. */
+function isDarkGradient(image: string): boolean | null {
+  for (const [gradient] of image.matchAll(/gradient\((?:[^()]|\([^()]*\))*\)/g)) {
+    const colours = gradient.match(/\b(?:rgba?|color|ok(?:lab|lch)|lab|lch)\([^()]*\)/g) ?? [];
+    const seen = colours.map(isDark).filter((dark) => dark !== null);
+    if (seen.length * 2 > colours.length) return seen.filter((dark) => dark).length * 2 > seen.length;
+  }
+  return null;
 }
 
 /** Of a colour as it is computed; null where it lets through what is behind it. */

@@ -69,7 +69,10 @@ const exercise = new LazyPanel<ExerciseViewStores>(
 const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link"]);
 
 /** Attributes that a message may be about. */
-const remarked: ReadonlySet<string> = new Set([...settingNames, ...manners, "seed", "loading"]);
+const remarked: ReadonlySet<string> = new Set([
+  ...[...settingNames, ...manners],
+  ...["seed", "student", "loading", "watch", "root"],
+]);
 
 /** What a page's script asked for before there was a view; it goes before attributes and address. */
 export interface Wanted {

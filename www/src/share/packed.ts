@@ -11,6 +11,9 @@ export const MOST_TEXT = 2_000_000;
 /** What is inflated in one piece; deflated text grows to at most about a thousand times its size. */
 const PIECE = 1024;
 
+/** Version, text and sum. */
+const parts = /^(\d{1,6})\.([A-Za-z0-9_-]*)(?:\.([a-z0-9]*))?$/;
+
 /** Why a link can't be read: the message is for the person. */
 export class LinkError extends Error {}
 
@@ -25,7 +28,7 @@ export async function pack(text: string): Promise<string> {
 }
 
 export async function unpack(fragment: string): Promise<string> {
-  const [, version, packed = "", check] = /^(\d{1,6})\.([A-Za-z0-9_-]*)(?:\.([a-z0-9]*))?$/.exec(fragment) ?? [];
+  const [, version, packed = "", check] = parts.exec(fragment) ?? [];
   if (version === undefined) throw new LinkError("This link is damaged: it does not read like one of this page’s.");
   if (Number(version) > VERSION) {
     throw new LinkError(
@@ -42,6 +45,12 @@ export async function unpack(fragment: string): Promise<string> {
     if (error instanceof LinkError) throw error;
     throw new LinkError("This link is damaged.");
   }
+}
+
+/** Whether a fragment is one of this version, without damage. */
+export function isWhole(fragment: string): boolean {
+  const [, version, packed = "", check] = parts.exec(fragment) ?? [];
+  return Number(version) === VERSION && packed !== "" && check === checksum(packed);
 }
 
 /** In small pieces, so that what comes out of each can be counted before the next goes in. */
