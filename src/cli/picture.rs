@@ -1,5 +1,7 @@
 //! `mo-copp picture`: draws the boards of a step, or of a whole plan, as SVG.
 
+use std::path::Path;
+
 use mo_copp::picture::{Boards, PictureOptions, draw};
 use mo_copp::problem::Problem;
 use mo_copp::solver::OptionsError;
@@ -10,6 +12,7 @@ use super::{input, plan_text, print};
 
 /// Draws and writes; the exit code.
 pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
+    args.out.as_deref().map_or(Ok(()), named_as_svg)?;
     let (document, problem) = input::document(&args.problem)?;
     let plan = plan_text::plan(&problem, args.plan.as_deref(), args.plan_file.as_deref())?;
     let mut options = if args.animate {
@@ -30,6 +33,22 @@ pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
         })?,
     }
     Ok(0)
+}
+
+/// Programs go by the end of a name: SVG under another one is a file that none of them opens.
+fn named_as_svg(file: &Path) -> Result<(), CliError> {
+    const OTHERS: [&str; 9] = ["png", "jpg", "jpeg", "gif", "webp", "avif", "bmp", "pdf", "eps"];
+    let end = file.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
+    if !OTHERS.contains(&&*end) {
+        return Ok(());
+    }
+    let svg = file.with_extension("svg");
+    let expected = format!(
+        "the name of an SVG file, as {:?}, of which other programs make {}: rsvg-convert --zoom 2, or inkscape",
+        svg.display().to_string(),
+        end.to_uppercase()
+    );
+    Err(OptionsError::new("out", format!("{:?}", file.display().to_string()), expected).into())
 }
 
 /// `all`, `actor` or the name of an observer.

@@ -12,6 +12,7 @@ mod gallery;
 mod generate;
 mod import;
 mod interrupt;
+mod picture;
 mod plan;
 mod schema;
 mod sensor;
