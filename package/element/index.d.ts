@@ -1,12 +1,19 @@
-import type { ByObserver, Outcome, PictureOptions, SolveOptions } from "../core/mo_copp.js";
+import type {
+  AnswerDetail,
+  Answered,
+  ElementSolveOptions,
+  PngOptions,
+  ScoreDetail,
+  StepDetail,
+  SvgOptions,
+} from "./types.js";
+
+export type * from "./types.js";
 
 type Text = string | null;
 
 /** What an attribute may be set to as a property: its text, or nothing to take it away. */
 type Given = string | number | null | undefined;
-
-/** What a solver has answered. */
-export type Answered = Omit<Outcome, "stats"> & { stats: Partial<Outcome["stats"]> };
 
 /** All that a link would hold. */
 export interface SharedState {
@@ -24,21 +31,6 @@ export interface SharedState {
   patience?: number;
   /** The answer to an exercise. */
   answer?: { choices: number[]; attempts: number; hints: number; checked?: { code: string; score: number } };
-}
-
-/** What the playground's form can ask of a solver; `null` takes a number away. `mo-copp/core` has the other options. */
-export interface ElementSolveOptions extends Pick<SolveOptions, "encoding"> {
-  solver?: SolveOptions["solver"];
-  k?: number | null;
-  j?: number | null;
-  horizon?: SolveOptions["horizon"] | null;
-  horizon_step?: number | null;
-}
-
-/** Without any: all boards of the step shown, with captions, in the playground's own colours. */
-export interface SvgOptions extends Omit<PictureOptions, "animate"> {
-  /** All steps of what is shown, one after another, without end. */
-  walk?: boolean;
 }
 
 export declare class MoCoppPlayground extends HTMLElement {
@@ -99,35 +91,12 @@ export declare class MoCoppPlayground extends HTMLElement {
    * Rejects with a sentence where there is nothing to draw, or an option does not fit.
    */
   toSVG(options?: SvgOptions | null): Promise<string>;
+  /** The step shown as a PNG, the picture of `toSVG` at twice its size. */
+  toPNG(options?: PngOptions | null): Promise<Blob>;
 }
 
 /** What a playground is drawn into: search there for `[data-goal]`, `[data-cell]`, `[data-board]`. */
 export declare function inside(playground: Element): ParentNode;
-
-/** The detail of `mo-copp-step`. */
-export interface StepDetail {
-  step: number;
-  /** The number of the last one. */
-  steps: number;
-  action: string | null;
-  symbols: ByObserver<string | null>;
-  /** Possible for each observer. */
-  goals: ByObserver<string[]>;
-  goal_difference: number;
-}
-
-/** The detail of `mo-copp-answer`. */
-export interface AnswerDetail {
-  code: string;
-  /** From 0 to 1. */
-  score: number | null;
-}
-
-/** The detail of `mo-copp-score`. */
-export interface ScoreDetail {
-  /** From 0 to 1. */
-  score: number;
-}
 
 declare global {
   interface HTMLElementTagNameMap {

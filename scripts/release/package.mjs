@@ -5,6 +5,7 @@ import { dist, inRoot, wasmPackage } from "../lib/paths.mjs";
 import { run } from "../lib/run.mjs";
 import { copyArticle } from "./article.mjs";
 import { elementManifest } from "./manifest.mjs";
+import { elementTypes } from "./types.mjs";
 
 export const packageFolder = inRoot("dist-package");
 const to = (...parts) => join(packageFolder, ...parts);
@@ -21,6 +22,7 @@ export async function buildPackage() {
   rmSync(packageFolder, { recursive: true, force: true });
   cpSync(inRoot("package"), packageFolder, { recursive: true });
   copyScripts();
+  writeFileSync(to("element", "types.d.ts"), elementTypes());
   copyArticle(to("learn"));
   const { version } = JSON.parse(readFileSync(inRoot("package.json"), "utf8"));
   const described = JSON.parse(readFileSync(to("package.json"), "utf8"));

@@ -1,14 +1,25 @@
 // The npm package: what it holds, what its tools say of it, and what a program gets from it.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { createHash } from "node:crypto";
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { build } from "vite";
 import { childEnvironment } from "../../scripts/lib/environment.mjs";
-import { root } from "../../scripts/lib/paths.mjs";
+import { dist, root } from "../../scripts/lib/paths.mjs";
 import { serve } from "../../scripts/lib/static-server.mjs";
+import { releaseFiles } from "../../scripts/release/files.mjs";
 import { buildPackage, packageFolder } from "../../scripts/release/package.mjs";
 import { attributes } from "../../www/src/element/attributes.js";
 import { solvers } from "../../www/src/state/form.js";
@@ -69,7 +80,7 @@ test("the solver solves in Node, and names what is wrong", () => {
 test("its types fit, and are those that the element has", () => {
   writeFileSync(
     join(folder, "use.ts"),
-    `import { inside, MoCoppPlayground, type SvgOptions } from "mo-copp";
+    `import { inside, MoCoppPlayground, type Answered, type ElementSolveOptions, type StepDetail, type SvgOptions } from "mo-copp";
      import { solve, type Outcome } from "mo-copp/core";
      import "mo-copp/single";
      const element = document.querySelector("mo-copp-playground");
@@ -79,6 +90,13 @@ test("its types fit, and are those that the element has", () => {
        void element.goTo(2).then(() => element.ready);
        const options: SvgOptions = { walk: true, board: "actor", captions: false, theme: "dark", milliseconds: 500 };
        void element.toSVG(options).then((svg) => svg.length);
+       void element.toPNG({ step: 1, true_goal: false, ended: true }).then((blob) => blob.size);
+       // @ts-expect-error a PNG shows one step
+       void element.toPNG({ walk: true });
+       const asked: ElementSolveOptions = { encoding: "paper", horizon: "any", horizon_step: null };
+       void element.solve(asked).then((answered: Answered) => answered.stats);
+       const told = (event: CustomEvent<StepDetail>) => event.detail.symbols.cooperative;
+       element.addEventListener("mo-copp-step", told);
        inside(element).querySelector("[data-goal]");
        void element.solve({ solver: "search", k: 2, j: null }).then(({ plan }) => plan?.length);
        // @ts-expect-error the form has no such field
@@ -126,7 +144,7 @@ test("the manifest lists what the element follows, offers and tells, and licence
   }
   assert.equal(element.members.filter(({ reflects }: { reflects?: true }) => reflects).length, attributes.length);
   const others = element.members.filter(({ reflects }: { reflects?: true }) => !reflects);
-  assert.deepEqual(names(others).sort(), ["document", "goTo", "ready", "solve", "state", "toSVG"]);
+  assert.deepEqual(names(others).sort(), ["document", "goTo", "ready", "solve", "state", "toPNG", "toSVG"]);
   assert.deepEqual(names(element.events), ["mo-copp-step", "mo-copp-outcome", "mo-copp-answer", "mo-copp-score"]);
   const guide = readFileSync(new URL("../../docs/embedding.md", import.meta.url), "utf8");
   for (const { name } of [...element.cssParts, ...element.cssProperties]) assert(guide.includes(`\`${name}\``), name);
@@ -135,6 +153,42 @@ test("the manifest lists what the element follows, offers and tells, and licence
     assert(bundled.includes(`\n${name} `), name);
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE", "README.md"])
     assert(existsSync(join(packageFolder, name)), name);
+});
+
+test("a release is written into one folder, with what it promises: checksums, hashes, and a crate that has all its files", async () => {
+  const to = join(folder, "release");
+  assert.equal(await releaseFiles(to, join(folder, "target")), 0);
+  const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const files = [
+    ...["SHA256SUMS", "integrity.json", `mo-copp-${version}.crate`, `mo-copp-${version}.tgz`],
+    ...[`mo-copp-page-${version}.tar.gz`, `mo-copp-playground.single-${version}.js`],
+  ];
+  assert.deepEqual(readdirSync(to).sort(), files.sort());
+  const sums = readFileSync(join(to, "SHA256SUMS"), "utf8").trim().split("\n");
+  const hash = (kind: string, path: string) => createHash(kind).update(readFileSync(path));
+  const others = files.filter((file) => !/^(?:SHA256SUMS|integrity\.json)$/.test(file));
+  const expected = others.map((file) => `${hash("sha256", join(to, file)).digest("hex")}  ${file}`);
+  assert.deepEqual(sums.sort(), expected.sort());
+  const integrity = JSON.parse(readFileSync(join(to, "integrity.json"), "utf8"));
+  for (const file of ["mo-copp-playground.js", "mo-copp-playground.single.js"])
+    assert.equal(integrity[file], `sha384-${hash("sha384", join(dist, file)).digest("base64")}`, file);
+  const listed = (file: string) =>
+    run("tar", ["-tzf", join(to, file)], to)
+      .stdout.trim()
+      .split("\n");
+  assert(listed(`mo-copp-page-${version}.tar.gz`).includes("dist/index.html"), "the archive has the page");
+  assert(listed(`mo-copp-${version}.tgz`).includes("package/element/index.js"), "the package has the element");
+  // What the crate's own code reads when it is compiled; its tests read the repository.
+  const crate = new Set(listed(`mo-copp-${version}.crate`).map((file) => file.replace(/^[^/]*\//, "")));
+  for (const file of [...crate].filter((name) => /^src\/(?!.*\btests?\.rs$).*\.rs$/.test(name))) {
+    const text = readFileSync(join(root, file), "utf8");
+    for (const [, path = ""] of text.matchAll(/include_(?:str|bytes)!\("([^"]+)"\)/g)) {
+      const read = join(dirname(file), path);
+      assert(crate.has(read), `${file} reads ${read}, which the crate lacks: "include" in Cargo.toml`);
+    }
+  }
+  for (const file of ["Cargo.lock", "README.md", "LICENSE-MIT", "LICENSE-APACHE", "src/main.rs"])
+    assert(crate.has(file), `the crate has ${file}`);
 });
 
 test("the article is in it, with live figures and no link that leads nowhere", async () => {
@@ -191,10 +245,11 @@ test("a bundler may give its files other names: every one of them is found, and 
       const full = page.waitForResponse((response) => /mo_copp_bg.*\.wasm$/.test(response.url()));
       await page.goto(address);
       await page.waitForSelector('mo-copp-playground[data-status="optimal"]');
-      assert.equal((await full).status(), 200);
       // Tabs are chunks of their own.
       for (const tab of ["Edit", "Document"]) await page.getByRole("tab", { name: tab, exact: true }).click();
       await page.getByLabel("Problem document (JSON)", { exact: true }).waitFor();
+      // Somebody is at work: the full core comes in a pause.
+      assert.equal((await full).status(), 200);
       assert.deepEqual(missing, []);
     });
   } finally {

@@ -205,6 +205,26 @@ test("a PNG is the same picture at twice its size", () =>
     assert.equal(name, "eight-by-eight-step-0.png");
     const [, width, height] =
       / width="([\d.]+)" height="([\d.]+)"/.exec(picture(eightByEight, best, { step: 0 })) ?? [];
+    const byScript = await page.evaluate(async () => {
+      const blob = await (document.querySelector("mo-copp-playground") as MoCoppPlayground).toPNG({
+        captions: true,
+        theme: "light",
+      });
+      const address = await new Promise<string>((read) => {
+        const reader = new FileReader();
+        reader.onload = () => read(String(reader.result));
+        reader.readAsDataURL(blob);
+      });
+      return { type: blob.type, bytes: address.replace(/^.*,/, "") };
+    });
+    assert.equal(byScript.type, "image/png");
+    assert(byScript.bytes === bytes.toString("base64"), "the element gives the picture that the page saves");
+    const walk = page.evaluate(() =>
+      (document.querySelector("mo-copp-playground") as MoCoppPlayground)
+        .toPNG({ walk: true } as never)
+        .then(String, String),
+    );
+    assert.equal(await walk, "Error: A PNG shows one step; expected no walk. All steps are for toSVG.");
     // What the enemy and the friend believe, and walls; the last is the paper of the other theme.
     const colours = ["#f5cdb8", "#b9d9f1", "#4a505b", "#14171c"];
     assert.deepEqual(await pixels(page, bytes, colours), {
@@ -308,6 +328,10 @@ for (const [policy, allowed] of [
         } else {
           await press(page, `Step ${last} as PNG`);
           await sheet(page).getByText("content policy allows no PNG").waitFor();
+          const told = page.evaluate(() =>
+            (document.querySelector("mo-copp-playground") as MoCoppPlayground).toPNG().then(String, String),
+          );
+          assert.match(await told, /^Error: This page’s content policy allows no PNG/);
         }
       },
       { quiet: allowed },

@@ -5,6 +5,7 @@ export type {
   Advice,
   BeliefSummary,
   BoxState,
+  ByObserver,
   Counterexample,
   DocumentError,
   ExerciseVerdict,

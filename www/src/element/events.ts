@@ -1,8 +1,43 @@
 // What a playground tells the page it stands in: `mo-copp-step`, `mo-copp-outcome`, `mo-copp-answer` and `mo-copp-score`.
+import type { ByObserver } from "../core.js";
 import type { Playground } from "../playground/playground.js";
 import type { Result } from "../state/answer.js";
+import type { Answered } from "../worker/protocol.js";
 import type { PageQuestion } from "./page-question.js";
 import { scoreOf } from "./score.js";
+
+/** The detail of `mo-copp-step`. */
+export interface StepDetail {
+  step: number;
+  /** The number of the last one; while a goal is being guessed, of the furthest one seen. */
+  steps: number;
+  action: string | null;
+  symbols: ByObserver<string | null>;
+  /** Possible for each observer. */
+  goals: ByObserver<string[]>;
+  goal_difference: number;
+}
+
+/** The detail of `mo-copp-answer`. */
+export interface AnswerDetail {
+  code: string;
+  /** From 0 to 1. */
+  score: number | null;
+}
+
+/** The detail of `mo-copp-score`. */
+export interface ScoreDetail {
+  /** From 0 to 1. */
+  score: number;
+}
+
+/** What is told by each event. */
+interface Details {
+  "mo-copp-step": StepDetail;
+  "mo-copp-outcome": Answered;
+  "mo-copp-answer": AnswerDetail;
+  "mo-copp-score": ScoreDetail;
+}
 
 export class Notifier {
   private step: string | null = null;
@@ -23,7 +58,7 @@ export class Notifier {
     const { timeline, answer, boards } = this.playground;
     const shown = timeline.shown.value;
     if (shown !== null) {
-      const detail = {
+      const detail: StepDetail = {
         step: timeline.step.value,
         // Not how long the way is that somebody guesses about.
         steps: (boards.mode.value === "guess" ? timeline.seen : timeline.lastStep).value,
@@ -52,7 +87,7 @@ export class Notifier {
     this.score = score;
   }
 
-  private send(name: string, detail: unknown): void {
+  private send<Name extends keyof Details>(name: Name, detail: Details[Name]): void {
     this.element.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
   }
 }

@@ -8,7 +8,7 @@ import { nextTurn } from "../worker/turn.js";
 import { followed } from "./attributes.js";
 import { reflect, reflected } from "./reflected.js";
 import type { ElementSolveOptions } from "./solve-options.js";
-import type { SvgOptions } from "./svg-options.js";
+import type { PngOptions, SvgOptions } from "./svg-options.js";
 import type { View, Wanted } from "./view.js";
 import { whenNear, whenParsed } from "./when.js";
 
@@ -99,9 +99,20 @@ export abstract class PlaygroundElement extends Base {
   /**
    * The step shown as the text of an SVG picture, the same as `mo-copp picture` writes; with `walk` all steps, animated.
    * Rejects with a sentence where there is nothing to draw, or an option does not fit.
+   *
+   * @param options - `step`; `walk` and `milliseconds`; `board`; `captions`; `theme`; `true_goal`, whether the true goal is
+   * marked; `ended`, whether the agent stops where the plan ends.
    */
   async toSVG(options: SvgOptions | null = {}): Promise<string> {
     return (await this.#whenDrawn()).toSVG(options ?? {});
+  }
+
+  /**
+   * The step shown as a PNG, the picture of `toSVG` at twice its size. Rejects with a sentence where there is nothing to
+   * draw, an option does not fit, or the page's content policy lets no picture be read.
+   */
+  async toPNG(options: PngOptions | null = {}): Promise<Blob> {
+    return (await this.#whenDrawn()).toPNG(options ?? {});
   }
 
   /** What was set before is there. */

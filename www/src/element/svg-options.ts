@@ -4,9 +4,12 @@ import type { Scheme } from "./theme.js";
 
 /** Without any: all boards of the step shown, with captions, in the playground's own colours. */
 export interface SvgOptions extends Omit<PictureOptions, "animate"> {
-  /** All steps of what is shown, one after another, without end. */
+  /** All steps of what is shown, one after another, without end, each for `milliseconds`. */
   walk?: boolean;
 }
+
+/** A PNG shows one step. */
+export type PngOptions = Omit<SvgOptions, "walk" | "milliseconds">;
 
 const known: Record<keyof SvgOptions, true> = {
   ...{ step: true, walk: true, milliseconds: true, board: true, captions: true },

@@ -24,8 +24,6 @@ import { legend } from "../stage/legend.js";
 import { type StageStores, stage } from "../stage/stage.js";
 import { stepper } from "../stage/stepper.js";
 import { followSymbols } from "../stage/symbols.js";
-import { optionsOf } from "../state/form.js";
-import { fitted } from "../state/numbers.js";
 import { followRow } from "../steps/follow-row.js";
 import { cross } from "../view/icons.js";
 import { LazyPanel } from "../workbench/lazy-panel.js";
@@ -41,6 +39,7 @@ import { LiveRender } from "./live-render.js";
 import { PageKeys } from "./page-keys.js";
 import { PageQuestion } from "./page-question.js";
 import { Printing } from "./printing.js";
+import * as calls from "./script-calls.js";
 import {
   documentOf,
   goToStep,
@@ -55,8 +54,8 @@ import {
   settingsOf,
   settle,
 } from "./settings.js";
-import { changeOf, type ElementSolveOptions } from "./solve-options.js";
-import { pictureOptions, type SvgOptions } from "./svg-options.js";
+import type { ElementSolveOptions } from "./solve-options.js";
+import type { PngOptions, SvgOptions } from "./svg-options.js";
 import { followScheme, schemeOf } from "./theme.js";
 import { UnderWay } from "./under-way.js";
 
@@ -258,40 +257,19 @@ export class View {
   }
 
   goTo(step: number): void {
-    const { timeline } = this.playground;
-    // A script may hand over anything.
-    const wanted = Number(String(step).trim() || Number.NaN);
-    if (Number.isNaN(wanted) || (Number.isFinite(wanted) && !Number.isInteger(wanted)))
-      throw new Error(`“${step}” is no step; expected a whole number from 0 to ${timeline.lastStep.value}.`);
-    timeline.goTo(wanted);
+    calls.goTo(this.playground, step);
   }
 
-  /** Options that can't be used leave the form as it was: the next ones are asked for on their own. */
-  async solve(options: ElementSolveOptions): Promise<Answered> {
-    const { answer, form, problem, solving } = this.playground;
-    const before = form.value;
-    const change = changeOf(options);
-    const asked = optionsOf({ ...before, ...change });
-    if (typeof asked === "string") throw new Error(asked);
-    const scene = problem.scene.value;
-    const misfit = `These options do not fit the problem: k and j go from 1 to ${scene?.goals.length}.`;
-    if (scene !== null && fitted({ ...before, ...change }, scene) !== null) throw new Error(misfit);
-    solving.edit(change);
-    const now = form.value;
-    await solving.solve();
-    const { error, result } = answer;
-    if (error.value !== null) {
-      if (form.value === now) form.value = before;
-      throw new Error(error.value);
-    }
-    const { options: answered, outcome } = result.value ?? {};
-    if (outcome === undefined) throw new Error("Something else was asked for meanwhile.");
-    if (JSON.stringify(answered) !== JSON.stringify(asked)) throw new Error(misfit);
-    return outcome;
+  solve(options: ElementSolveOptions): Promise<Answered> {
+    return calls.solve(this.playground, options);
   }
 
   toSVG(options: SvgOptions): Promise<string> {
-    return this.playground.pictures.draw(pictureOptions(options, schemeOf(this.host)));
+    return calls.toSVG(this.playground, options, schemeOf(this.host));
+  }
+
+  toPNG(options: PngOptions): Promise<Blob> {
+    return calls.toPNG(this.playground, options, schemeOf(this.host));
   }
 
   attributeChanged(name: string): void {
