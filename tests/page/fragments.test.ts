@@ -92,6 +92,12 @@ test("a link of the playground is opened and followed there, a damaged one is sa
       }, wrong);
       await page.waitForSelector("#one[data-status=error]");
       assert.match((await alert(page)) ?? "", words);
+      // What was shown stays, and with the message closed the status is its own again.
+      const shown = page.locator("#one");
+      assert.equal(await shown.getAttribute("data-step"), "0");
+      assert.equal(await shown.locator("[data-board=actor]").count(), 1);
+      await shown.getByRole("button", { name: "Close the message" }).click();
+      await ready(page, '[data-step="0"]');
       await addressHolds(page, ({ document }) => document === grid());
     }
   }));

@@ -6,6 +6,7 @@ import type { SharedState } from "../share/shared-state.js";
 import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
 import { followed } from "./attributes.js";
+import { parsed } from "./parsed.js";
 import { reflect, reflected } from "./reflected.js";
 import type { ElementSolveOptions } from "./solve-options.js";
 import type { PngOptions, SvgOptions } from "./svg-options.js";
@@ -63,7 +64,7 @@ export abstract class PlaygroundElement extends Base {
 
   /** The problem document that is open, or is being opened. Set, as an object or as its text, it is opened. */
   get document(): ProblemDocument | null {
-    return this.#view === null ? documentIn(this.#wanted.document) : this.#view.document;
+    return this.#view === null ? (parsed(this.#wanted.document) as ProblemDocument | null) : this.#view.document;
   }
 
   set document(value: ProblemDocument | string | null) {
@@ -203,14 +204,5 @@ export abstract class PlaygroundElement extends Base {
       Reflect.deleteProperty(this, name);
       Reflect.set(this, name, value);
     }
-  }
-}
-
-/** What a text says, where it is a document's. */
-function documentIn(text: string | null): ProblemDocument | null {
-  try {
-    return text === null ? null : JSON.parse(text);
-  } catch {
-    return null;
   }
 }

@@ -36,8 +36,10 @@ import { FirstUse } from "./first-use.js";
 import { keepInSight } from "./in-sight.js";
 import { linkAddressOf } from "./link-address.js";
 import { LiveRender } from "./live-render.js";
+import { mark } from "./marks.js";
 import { PageKeys } from "./page-keys.js";
 import { PageQuestion } from "./page-question.js";
+import { parsed } from "./parsed.js";
 import { Printing } from "./printing.js";
 import * as calls from "./script-calls.js";
 import {
@@ -444,31 +446,13 @@ export class View {
   }
 
   private drawn(): void {
-    const { answer, timeline, boards } = this.playground;
-    const { status } = answer;
-    const { difference } = boards;
-    const { dataset } = this.host;
-    dataset.status = status.value;
-    dataset.step = String(timeline.step.value);
-    const { posed, score } = this.playground.exercise;
-    const asked = posed.value !== null;
-    if (asked || difference.value === null) delete dataset.gd;
-    else dataset.gd = String(difference.value);
-    if (!asked) delete dataset.exercise;
-    else dataset.exercise = score.value === null ? "open" : score.value === 1 ? "right" : "wrong";
-    if (asked || timeline.trace.value !== null || status.value === "error") this.told.shown();
+    const { answer, exercise, timeline } = this.playground;
+    mark(this.host, this.playground);
+    if (exercise.posed.value !== null || timeline.trace.value !== null || answer.status.value === "error")
+      this.told.shown();
     if (timeline.trace.value !== null) this.printing.prepare();
     this.follow();
     void this.playground.walk.follow();
     this.notifier.notify();
-  }
-}
-
-/** What a text of a script says; null where it is not JSON. */
-function parsed(text: string | null): unknown {
-  try {
-    return text === null ? null : JSON.parse(text);
-  } catch {
-    return null;
   }
 }
