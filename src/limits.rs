@@ -17,11 +17,11 @@ pub const MAX_TEXT_BYTES: usize = if cfg!(target_arch = "wasm32") { 8 << 20 } el
 /// assert_eq!(excess_of_text(&" ".repeat(MAX_TEXT_BYTES)), None);
 /// let (found, expected) = excess_of_text(&" ".repeat(MAX_TEXT_BYTES + 1)).unwrap();
 /// assert_eq!(found, "33,554,433 bytes of text");
-/// assert_eq!(expected, "at most 33,554,432 (32 MiB)");
+/// assert_eq!(expected, "at most 32 MiB (33,554,432 bytes)");
 /// ```
 pub fn excess_of_text(text: &str) -> Option<(String, String)> {
     let most = MAX_TEXT_BYTES;
-    let expected = || format!("at most {} ({} MiB)", grouped(most), most >> 20);
+    let expected = || format!("at most {} MiB ({} bytes)", most >> 20, grouped(most));
     (text.len() > most).then(|| (format!("{} bytes of text", grouped(text.len())), expected()))
 }
 

@@ -7,7 +7,8 @@ use super::message;
 #[test]
 fn texts_that_are_too_long() {
     let message = message(&" ".repeat((32 << 20) + 1));
-    let expected = "document: found 33,554,433 bytes of text, expected at most 33,554,432 (32 MiB)";
+    let expected =
+        "document: found 33,554,433 bytes of text, expected at most 32 MiB (33,554,432 bytes)";
     assert_eq!(message, expected);
 }
 

@@ -497,7 +497,7 @@ fn deep_and_large_texts() {
     let large = " ".repeat((32 << 20) + 1);
     assert_eq!(
         domain_error(&large),
-        "line 1, column 1: found 33,554,433 bytes of text, expected at most 33,554,432 (32 MiB)"
+        "line 1, column 1: found 33,554,433 bytes of text, expected at most 32 MiB (33,554,432 bytes)"
     );
     // As large as it may be, and nothing but symbols, lists, a long name, types, objects.
     let filled = |begin: &str, piece: &str, end: &str| {
