@@ -28,14 +28,6 @@ impl<'a> Reader<'a> {
     }
 
     /// The whole of something else, which its messages call `whole`.
-    ///
-    /// ```
-    /// use mo_copp::document::{json::Json, reader::Reader};
-    /// let json = Json::parse("[1]")?;
-    /// let error = Reader::of("options", &json).fields(&["k"]).unwrap_err();
-    /// assert_eq!(error.to_string(), "options: found [1], expected an object");
-    /// # Ok::<(), mo_copp::document::DocumentError>(())
-    /// ```
     pub fn of(whole: &'static str, value: &'a Json) -> Self {
         Self { value, path: String::new(), whole }
     }

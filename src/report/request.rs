@@ -45,6 +45,8 @@ pub struct Request {
 /// assert_eq!(request.options.bounds.at_least, Some(2));
 /// let error = read_request(r#"{"solver": "search", "k": 7}"#, &problem).unwrap_err();
 /// assert!(error.to_string().starts_with("k: found 7, expected a whole number from 1 to 6"));
+/// let error = read_request(r#"{"solver": "search", "width": 7}"#, &problem).unwrap_err();
+/// assert!(error.to_string().starts_with("options: found the unknown key \"width\", expected only"));
 /// # Ok::<(), mo_copp::document::DocumentError>(())
 /// ```
 pub fn read_request(text: &str, problem: &Problem) -> Result<Request, DocumentError> {
