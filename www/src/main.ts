@@ -4,7 +4,6 @@ import "./style/page.css";
 import "./style/board.css";
 import "./style/controls.css";
 import "./style/goals.css";
-import "./style/delivery.css";
 import "./style/play.css";
 import "./style/exercise.css";
 import "./style/tour.css";
@@ -21,6 +20,6 @@ import "./element/view.js";
 import "./embed.js";
 import { bringViewStyles } from "./stage/view-styles.js";
 
-bringViewStyles(() => import("./style/views.css"));
+bringViewStyles(() => Promise.all([import("./style/delivery.css"), import("./style/views.css")]));
 // The screen does not wait for what paper takes; without it the page is printed as it is.
 import("./style/print.css").catch(() => undefined);

@@ -10,7 +10,6 @@ import { inTurns } from "../view/in-turns.js";
 import { longList } from "../view/long-list.js";
 import { named } from "../view/names.js";
 import { called, type Role, roles } from "../view/observers.js";
-import { isDelivery } from "./delivery/facts.js";
 import { type GoalView, goalViews } from "./goal-attributes.js";
 import { looks } from "./goal-marks.js";
 import { isGrid } from "./grid/cells.js";
@@ -28,7 +27,7 @@ export function goalList(playground: GoalListStores): TemplateResult | "" {
   const end = trace.value?.steps.at(-1);
   if (scene === null || shown.value === null || end === undefined) return "";
   const ends = goalViews(scene, end);
-  const view = isGrid(scene) || isDelivery(scene) ? null : viewOf(scene);
+  const view = isGrid(scene) ? null : viewOf(scene);
   const asked = (index: number) => {
     const words = view?.goal?.(index) ?? "";
     return words === "" ? "" : html`<span class="asked">${words}</span>`;

@@ -1,8 +1,6 @@
 // The picture of a step, by what kind of problem it is.
 import { html, type TemplateResult } from "lit";
 import type { BoardInput, BoardName } from "./board-input.js";
-import { deliveryBoard } from "./delivery/board.js";
-import { isDelivery } from "./delivery/facts.js";
 import { board } from "./grid/board.js";
 import { isGrid } from "./grid/cells.js";
 import { loadViews, viewOf, viewsFailed } from "./lazy-views.js";
@@ -14,7 +12,6 @@ const MOST_CELLS = 4096;
 export function picture(name: BoardName, input: BoardInput, playground: BoardStores): TemplateResult {
   const { scene } = input;
   if (isGrid(scene) && scene.width * scene.height <= MOST_CELLS) return board(name, { ...input, scene }, playground);
-  if (isDelivery(scene)) return deliveryBoard(name, { ...input, scene });
   const view = viewOf(scene);
   if (view !== null) return view.board(name, input, playground);
   return viewsFailed()

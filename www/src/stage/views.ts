@@ -2,6 +2,7 @@
 import type { Scene } from "../core.js";
 import { blocksKind, isBlocks } from "./blocks/kind.js";
 import { boxPushingView } from "./box-pushing/view.js";
+import { deliveryView } from "./delivery/view.js";
 import { recyclingView } from "./recycling-robot/view.js";
 import { factsKind, namesKind } from "./states/facts.js";
 import { statesView } from "./states/view.js";
@@ -17,6 +18,7 @@ export function viewOf(scene: Scene): View {
 }
 
 function made(scene: Scene): View {
+  if (scene.format === "delivery") return deliveryView(scene);
   if (scene.format === "box-pushing") return boxPushingView(scene);
   if (scene.format === "recycling-robot") return recyclingView(scene);
   if (scene.format !== "pddl") return statesView(scene, namesKind());

@@ -5,8 +5,6 @@ import type { BoardInput } from "../board-input.js";
 export type DeliveryScene = Extract<Scene, { format: "delivery" }>;
 export type DeliveryInput = BoardInput<DeliveryScene>;
 
-export const isDelivery = (scene: Scene): scene is DeliveryScene => scene.format === "delivery";
-
 /** Where the truck is: a factory by its place in the document, the yard, or the delivery area. */
 export type TruckPlace = number | "yard" | "delivery area";
 
