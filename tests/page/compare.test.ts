@@ -7,6 +7,7 @@ import { assertNoBarrier } from "./support/barriers.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid } from "./support/documents.js";
 import { saved } from "./support/downloads.js";
+import { difference } from "./support/fraction.js";
 import { edit, opened } from "./support/opened.js";
 import { attribute, openTab, press, slider, statusIs } from "./support/playground.js";
 import { holdCore, withKnownWorkers } from "./support/workers.js";
@@ -25,7 +26,6 @@ const words = { optimal: "proved best", infeasible: "no plan" };
 
 const row = (page: Page, title: string) =>
   page.locator(".comparison tbody tr").filter({ has: page.getByRole("rowheader", { name: title }) });
-const short = (value: number | null) => String(Math.round((value ?? 0) * 1000) / 1000).replace("-", "−");
 const complete = (page: Page) => page.getByText("The comparison is complete.").waitFor({ state: "attached" });
 
 test("every solver's answer stands in the table, and choosing one shows its plan", () =>
@@ -85,7 +85,12 @@ test("without bounds of its own the comparison asks for what the best plan reach
       const { goal_difference, goals: left, plan } = outcome;
       assert.deepEqual(
         rows[index]?.map((cell) => cell.trim()),
-        [short(goal_difference), left?.adversarial.length, left?.cooperative.length, plan?.length].map(String),
+        [
+          difference(goal_difference, JSON.parse(example).goals.length),
+          left?.adversarial.length,
+          left?.cooperative.length,
+          plan?.length,
+        ].map(String),
         title,
       );
     }

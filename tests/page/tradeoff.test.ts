@@ -7,6 +7,7 @@ import { assertNoBarrier } from "./support/barriers.js";
 import { example, solve } from "./support/core.js";
 import { endless, grid, laborious } from "./support/documents.js";
 import { saved } from "./support/downloads.js";
+import { difference, fraction } from "./support/fraction.js";
 import { edit, opened } from "./support/opened.js";
 import { attribute, openTab, press, slider, statusIs } from "./support/playground.js";
 import { holdCore, withDeafWorkers, withKnownWorkers } from "./support/workers.js";
@@ -16,15 +17,13 @@ const lengths = (page: Page) => page.getByRole("group", { name: "The best goal d
 const names = (chart: ReturnType<typeof pairs>) =>
   chart.getByRole("button").evaluateAll((points) => points.map((point) => point.getAttribute("aria-label") ?? ""));
 
-const short = (value: number) => String(Math.round(value * 1000) / 1000).replace("-", "−");
-
 function expectedPairs(document: string): string[] {
   const { outcome } = solve(document, { solver: "exact", pareto: true });
   const goals = JSON.parse(document).goals.length;
   const best = Math.max(...(outcome.pareto ?? []).map((pair) => pair.adversarial - pair.cooperative));
   return (outcome.pareto ?? []).map(({ adversarial, cooperative, plan }) => {
     const ahead = adversarial - cooperative;
-    return `${adversarial} possible for the enemy, ${cooperative} for the friend: goal difference ${short(ahead / (goals - 1))} in ${plan.length} moves${ahead === best ? ", the best" : ""}`;
+    return `${adversarial} possible for the enemy, ${cooperative} for the friend: goal difference ${fraction(ahead, goals - 1)} in ${plan.length} moves${ahead === best ? ", the best" : ""}`;
   });
 }
 
@@ -74,7 +73,7 @@ test("the best of each length is a point, and lengths without a plan are marked"
         await names(lengths(page)),
         feasible.map(
           (point) =>
-            `${point.length} moves: goal difference ${short(point.goal_difference ?? 0)}, ${point.adversarial} possible for the enemy, ${point.cooperative} for the friend${point.goal_difference === best ? ", the best" : ""}`,
+            `${point.length} moves: goal difference ${difference(point.goal_difference, JSON.parse(example).goals.length)}, ${point.adversarial} possible for the enemy, ${point.cooperative} for the friend${point.goal_difference === best ? ", the best" : ""}`,
         ),
       );
       const none = points.filter((point) => point.plan === null);
