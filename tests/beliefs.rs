@@ -210,7 +210,7 @@ fn one_symbol_for_all_means_everything_reachable_in_that_many_steps() {
                 expected_names.sort();
                 let mut found: Vec<String> = after.beliefs[observer]
                     .iter()
-                    .map(|state| judge.problem.label(state.words()).to_string())
+                    .map(|state| format!("{:#}", judge.problem.label(state.words())))
                     .collect();
                 found.sort();
                 assert_eq!(found, expected_names);

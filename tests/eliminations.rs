@@ -153,7 +153,7 @@ fn the_believed_state_that_is_nearest_to_a_goal() {
         let table = &judge.table;
         let plan = walk(&mut dice, table, 6);
         let steps = replay(table, &plan).unwrap();
-        let label = |words: &[u64]| judge.problem.label(words).to_string();
+        let label = |words: &[u64]| format!("{:#}", judge.problem.label(words));
         let named = named(&judge, &plan);
         let step = dice.below(plan.len() + 1);
         for watcher in 0..2 {
@@ -185,7 +185,7 @@ fn the_last_states_that_would_have_led_to_a_goal() {
         let table = &judge.table;
         let plan = walk(&mut dice, table, 6);
         let steps = replay(table, &plan).unwrap();
-        let label = |words: &[u64]| judge.problem.label(words).to_string();
+        let label = |words: &[u64]| format!("{:#}", judge.problem.label(words));
         for watcher in 0..2 {
             for goal in 0..table.goals.len() {
                 let named = named(&judge, &plan);

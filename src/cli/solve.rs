@@ -5,7 +5,7 @@ use std::fmt::Write;
 use mo_copp::goal_difference::written;
 use mo_copp::limits::LimitReached;
 use mo_copp::problem::{Problem, Role};
-use mo_copp::report::{AdviceReport, FrontReport, SolveReport};
+use mo_copp::report::{AdviceReport, FrontReport, LengthReport, SolveReport};
 use mo_copp::solver::{Horizon, Options, Outcome, Solver, Status};
 
 use super::args::SolveArgs;
@@ -175,22 +175,7 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
         }
     }
     if let Some(points) = &report.lengths {
-        let _ = writeln!(
-            text,
-            "best goal difference of each length (goals possible for the enemy, for the friend):"
-        );
-        for point in points {
-            let _ = match (point.adversarial, point.cooperative, point.goal_difference) {
-                (Some(adversarial), Some(cooperative), Some(difference)) => writeln!(
-                    text,
-                    "  {:4} actions: {:>6} ({adversarial}, {cooperative}): {}",
-                    point.length,
-                    written(difference, problem.goals().len()),
-                    point.plan.as_deref().unwrap_or_default().join(", ")
-                ),
-                _ => writeln!(text, "  {:4} actions: no plan", point.length),
-            };
-        }
+        write_lengths(&mut text, points, problem.goals().len());
     }
     let stats = &report.stats;
     let counts = [
@@ -205,6 +190,26 @@ fn text(problem: &Problem, options: &Options, outcome: &Outcome, seconds: f64) -
         counts.iter().filter_map(|(what, n)| n.map(|n| format!("{n} {what}"))).collect();
     let _ = writeln!(text, "work: {}, {seconds:.3} s", shown.join(", "));
     text
+}
+
+/// The best of each length.
+fn write_lengths(text: &mut String, points: &[LengthReport], goals: usize) {
+    let _ = writeln!(
+        text,
+        "best goal difference of each length (goals possible for the enemy, for the friend):"
+    );
+    for point in points {
+        let _ = match (point.adversarial, point.cooperative, point.goal_difference) {
+            (Some(adversarial), Some(cooperative), Some(difference)) => writeln!(
+                text,
+                "  {:4} actions: {:>6} ({adversarial}, {cooperative}): {}",
+                point.length,
+                written(difference, goals),
+                point.plan.as_deref().unwrap_or_default().join(", ")
+            ),
+            _ => writeln!(text, "  {:4} actions: no plan", point.length),
+        };
+    }
 }
 
 /// What the status says of this problem.

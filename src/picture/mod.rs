@@ -65,6 +65,10 @@ pub enum Steps {
 /// What a picture looks like.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each stands for itself, as the flags of the command do"
+)]
 pub struct PictureOptions {
     /// The steps.
     pub steps: Steps,

@@ -65,13 +65,14 @@ impl std::fmt::Display for StateLabel {
             Self::Name(name) => f.write_str(name),
             Self::Facts(facts) => write!(f, "{{{}}}", facts.join(", ")),
             Self::Parts(parts) => {
-                let is_document = f.alternate();
-                let in_words = |(key, value): &(&str, Value)| match is_document {
-                    true => format!("{key} {value:#}"),
-                    false => format!("{key} {value}"),
-                };
-                let parts: Vec<String> = parts.iter().map(in_words).collect();
-                write!(f, "{{{}}}", parts.join(", "))
+                // A cell in words has a comma itself.
+                let between = if f.alternate() { ", " } else { "; " };
+                f.write_str("{")?;
+                for (place, (key, value)) in parts.iter().enumerate() {
+                    write!(f, "{}{key} ", if place == 0 { "" } else { between })?;
+                    value.fmt(f)?;
+                }
+                f.write_str("}")
             }
         }
     }

@@ -156,7 +156,8 @@ impl Judge {
         let expected = replay(table, &actions).unwrap();
         let trace = trace(&self.problem, plan).unwrap();
         assert_eq!(trace.steps.len(), expected.len());
-        let label = |state: &mo_copp::task::State| self.problem.label(state.words()).to_string();
+        let label =
+            |state: &mo_copp::task::State| format!("{:#}", self.problem.label(state.words()));
         for (number, (step, expected)) in trace.steps.iter().zip(&expected).enumerate() {
             let action = number.checked_sub(1).map(|index| table.actions[actions[index]].as_str());
             assert_eq!(step.action.map(|a| self.problem.task().action_name(a)), action);
