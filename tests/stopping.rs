@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use mo_copp::domain::generate::Domain;
 use mo_copp::limits::{LimitReached, Limits};
 use mo_copp::solver::{Encoding, Horizon, Options, Outcome, Run, Solver, Status, abandoned};
 
 use crate::common::random::{self, MEDIUM, PAIR, SMALL};
-use crate::common::{Dice, Judge, Wish, oracle};
+use crate::common::{Dice, Judge, Wish, oracle, solve};
 use crate::search::heeded;
 
 /// Advances by this budget to the end.
@@ -369,4 +370,16 @@ fn a_horizon_is_raised_by_steps() {
         }
     }
     assert!(raised > 100, "{raised}");
+}
+
+/// The actor has more states than distances are worked out for.
+#[test]
+fn pairs_of_a_large_task_can_be_stopped_before_any_is_found() {
+    let problem = Domain::Logistics.draw(3).unwrap().document.problem().unwrap();
+    let mut options = Options::new(Solver::Exact);
+    options.pairs = true;
+    options.limits.expansions = 50;
+    let outcome = solve(&Arc::new(problem), &options);
+    assert_eq!(outcome.status, Status::Limit);
+    assert!(outcome.pairs.unwrap().is_empty());
 }

@@ -15,8 +15,8 @@ use crate::solver::outcome::ReachablePair;
 pub(in crate::solver) const MOST_STATES: usize = 4_000_000;
 
 /// Goes on from the node at the end of `plan` for `left` actions, each the first one into a state
-/// that `leads` wants, given how many actions are then left. None where the plan so found breaks the
-/// bounds, where there is no such state, or where `room` for believed states does not last.
+/// that `leads` wants, given how many actions are then left. None where the plan so found misses the true goal or breaks
+/// the bounds, where there is no such state, or where `room` for believed states does not last.
 ///
 /// # Errors
 ///
@@ -46,6 +46,10 @@ pub(in crate::solver) fn complete(
         let Some(&(action, next)) = found.first() else { return Ok(None) };
         plan.actions.push(action);
         node = next;
+    }
+    // Where distances are not known, what seemed to lead there may not have.
+    if !joint.is_goal(node.state) {
+        return Ok(None);
     }
     let counts = joint.counts(node.profile);
     let fits = allowed(joint, bounds, node.profile, counts);
