@@ -3,6 +3,7 @@ import { readFileSync } from "node:fs";
 import { compress } from "lzma1";
 import { build } from "vite";
 import { dist, inRoot } from "../lib/paths.mjs";
+import { onlyAscii } from "./ascii.mjs";
 import { stylesInElement } from "./styles.mjs";
 import { withoutAddress } from "./without-address.mjs";
 
@@ -14,7 +15,7 @@ export async function buildSingle() {
       logLevel: "warn",
       root: inRoot("www"),
       publicDir: false,
-      plugins: [stylesInElement(), startInline(), core()],
+      plugins: [stylesInElement(), startInline(), core(), onlyAscii()],
       worker: { format: "iife", plugins: () => [withoutAddress()] },
       build: {
         outDir: dist,

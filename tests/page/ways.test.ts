@@ -5,9 +5,11 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { runInThisContext } from "node:vm";
 import { gzipSync } from "node:zlib";
 import type { Frame, Page } from "playwright-core";
 import { dist, inRoot } from "../../scripts/lib/paths.mjs";
+import { inAscii } from "../../scripts/page/ascii.mjs";
 import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
 import { startHost } from "./support/host.js";
@@ -81,6 +83,33 @@ test("as one file from disk, renamed beside its page", () =>
     } finally {
       rmSync(folder, { recursive: true });
     }
+  }));
+
+test("the one script is ASCII alone, and so the same in a page of another charset", () =>
+  visit(async ({ page }) => {
+    const script = readFileSync(join(dist, "mo-copp-playground.single.js"));
+    const other = script.findIndex((byte) => byte > 127);
+    assert.equal(other, -1, `at byte ${other}: ${script.subarray(other - 40, other + 20)}`);
+    // Escapes mean what the characters did, in texts, templates and patterns.
+    for (const text of [
+      "`a\u2014\ud835\udca2`",
+      "'\\\\\u2014'",
+      "'\\\u2014'",
+      "/^[\u2019\ud835\udca2-\ud835\udcac]$/u.test('\ud835\udca5')",
+    ])
+      assert.equal(runInThisContext(inAscii(text)), runInThisContext(text), text);
+    // Neither the page nor the script says what charset it has.
+    home.own.set("lesson/single.js", { body: script, headers: { "Content-Type": "text/javascript" } });
+    home.own.set("lesson/charset.html", {
+      body: `<!doctype html><html lang="en"><title>Way</title><link rel="icon" href="data:,"><script src="single.js"></script>${one}`,
+      headers: { "Content-Type": "text/html; charset=windows-1252" },
+    });
+    await page.goto(`${home.address}lesson/charset.html`);
+    await solved(page);
+    assert.equal(await page.evaluate(() => document.characterSet), "windows-1252");
+    const text = await page.locator("#one").evaluate((playground) => playground.shadowRoot?.textContent ?? "");
+    assert.match(text, /[\u2019\u2192\u2026]/, "there are characters beyond ASCII");
+    assert.doesNotMatch(text, /\u00e2|\u00c3|\ufffd/, "and all of them are right");
   }));
 
 test("as a script and as a page from a blob", () =>
