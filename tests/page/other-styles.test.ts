@@ -18,6 +18,8 @@ interface Style {
   css: string;
   /** The markup that the style sheet is made for, around the element. */
   around?: (inner: string) => string;
+  /** What the page begins with, in place of the doctype. */
+  doctype?: string;
 }
 
 const npm = (...parts: string[]) => readFileSync(join(nodeModules, ...parts), "utf8");
@@ -104,8 +106,8 @@ const elements = [
 ].join("");
 
 /** The size of the root's text is the page's to decide: it is the same in all of these. */
-function lesson({ css, around = (inner) => inner }: Style): string {
-  return `<!doctype html><html lang="en" data-theme="light"><head><title>Lesson</title><meta charset="utf-8">
+function lesson({ css, around = (inner) => inner, doctype = "<!doctype html>" }: Style): string {
+  return `${doctype}<html lang="en" data-theme="light"><head><title>Lesson</title><meta charset="utf-8">
     <style>${css.replaceAll("</style", "")}</style>
     <style>html { font-size: 16px !important }
       #frame { position: absolute !important; inset: 0 auto auto 0 !important; width: 1160px !important; max-width: none !important;
@@ -114,7 +116,7 @@ function lesson({ css, around = (inner) => inner }: Style): string {
     <body>${around(`<div id="frame">${elements}</div>`)}</body></html>`;
 }
 
-async function picture(page: Page, style: Style): Promise<PNG> {
+async function picture(page: Page, style: Style, tab = "Solve"): Promise<PNG> {
   await page.route(`${address}lesson/styled.html`, (route) =>
     route.fulfill({ contentType: "text/html", body: lesson(style) }),
   );
@@ -122,7 +124,15 @@ async function picture(page: Page, style: Style): Promise<PNG> {
   await page.waitForFunction(
     () => document.querySelectorAll("mo-copp-playground:is([data-status=optimal], [data-status=solved])").length === 2,
   );
-  await page.evaluate(() => scrollTo(0, 0));
+  await page.getByRole("tab", { name: tab, exact: true }).first().click();
+  await page
+    .locator(tab === "Steps" ? ".steps table" : ".workbench form")
+    .first()
+    .waitFor();
+  await page.evaluate(() => {
+    scrollTo(0, 0);
+    (document.activeElement as HTMLElement).blur();
+  });
   const bytes = await page.locator("#frame").screenshot({ animations: "disabled", caret: "hide" });
   await page.unroute(`${address}lesson/styled.html`);
   return PNG.sync.read(bytes);
@@ -142,6 +152,24 @@ test("other people's style sheets change next to nothing of the picture", () =>
         if (differ > MOST_APART) apart.push(`${style.name}: ${(differ * 100).toFixed(2)} %`);
       }
       assert.deepEqual(apart, []);
+    },
+    { viewport: { width: 1280, height: 900 }, quiet: false },
+  ));
+
+test("a page without a doctype changes as little, where there are tables and forms, too", () =>
+  visit(
+    async ({ page }) => {
+      const css = "body { font: italic 700 24px/2 serif; color: red; text-align: right; white-space: pre }";
+      for (const tab of ["Solve", "Steps"]) {
+        const without = await picture(page, plain, tab);
+        for (const style of [plain, { name: "styled", css }]) {
+          const { width, height, data } = await picture(page, { ...style, doctype: "" }, tab);
+          assert.equal(await page.evaluate(() => document.compatMode), "BackCompat");
+          assert.deepEqual([width, height], [without.width, without.height], `${tab}, ${style.name}`);
+          const differ = pixelmatch(without.data, data, undefined, width, height) / (width * height);
+          assert(differ <= MOST_APART, `${tab}, ${style.name}: ${differ}`);
+        }
+      }
     },
     { viewport: { width: 1280, height: 900 }, quiet: false },
   ));
