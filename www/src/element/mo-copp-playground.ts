@@ -1,7 +1,7 @@
 // <mo-copp-playground>: it is drawn into a shadow root, so that no style of the page reaches what is in it, and none of
 // its own the page. Only on the stand-alone page, which is the playground's own, it is drawn into the document
 // (`root="page"`). docs/embedding.md lists attributes, properties, events and parts.
-import { adopt } from "./adopt.js";
+import { adopt, adoptAgain } from "./adopt.js";
 import { PlaygroundElement } from "./playground-element.js";
 import { followInProse } from "./prose.js";
 import { Theme } from "./theme.js";
@@ -123,6 +123,11 @@ export class MoCoppPlayground extends PlaygroundElement {
     this.#stopFollowing?.();
     this.#stopFollowing = null;
     this.#theme?.disconnect();
+  }
+
+  /** It has moved into another document, as from one frame to another. */
+  adoptedCallback(): void {
+    if (this.shadowRoot !== null) adoptAgain(this.shadowRoot);
   }
 
   override attributeChangedCallback(name: string, before: string | null, after: string | null): void {

@@ -29,9 +29,14 @@ export class Theme {
   private readonly system = globalThis.matchMedia?.("(prefers-color-scheme: dark)");
   private readonly around = new MutationObserver(() => this.soon());
   private readonly sheets = new MutationObserver((records) => {
-    if (records.some(({ addedNodes, removedNodes }) => [...addedNodes, ...removedNodes].some(isStyling))) this.soon();
+    const added = records.flatMap(({ addedNodes }) => [...addedNodes]);
+    const { body, head } = this.page;
+    if (added.some((node) => node === body || node === head)) this.again();
+    else if ([...added, ...records.flatMap(({ removedNodes }) => [...removedNodes])].some(isStyling)) this.soon();
   });
   private frame = 0;
+  /** The document that it is in; it may move into another. */
+  private page = globalThis.document;
 
   constructor(
     private readonly host: HTMLElement,
@@ -41,30 +46,40 @@ export class Theme {
   ) {}
 
   connect(): void {
+    this.page = this.host.ownerDocument;
     this.update();
     this.system?.addEventListener("change", this.changed);
     // A load does not bubble.
-    for (const name of events) document.addEventListener(name, this.changed, true);
+    for (const name of events) this.page.addEventListener(name, this.changed, true);
     // A page's styles may go by any attribute.
     for (const around of ancestors(this.host)) this.around.observe(around, { attributes: true });
-    this.around.observe(document.head, { attributes: true, childList: true, subtree: true, characterData: true });
-    this.sheets.observe(document.body, { childList: true, subtree: true });
+    // What is written into a sheet of the head; a page that is still being built may have no head yet, and no body.
+    const { documentElement, head } = this.page;
+    if (head !== null)
+      this.around.observe(head, { attributes: true, childList: true, subtree: true, characterData: true });
+    this.sheets.observe(documentElement, { childList: true, subtree: true });
   }
 
   disconnect(): void {
     this.system?.removeEventListener("change", this.changed);
-    for (const name of events) document.removeEventListener(name, this.changed, true);
+    for (const name of events) this.page.removeEventListener(name, this.changed, true);
     this.around.disconnect();
     this.sheets.disconnect();
     cancelAnimationFrame(this.frame);
     this.frame = 0;
   }
 
+  /** The page has parts that it did not have. */
+  private again(): void {
+    this.disconnect();
+    this.connect();
+  }
+
   update(): void {
     const asked = this.host.getAttribute("theme");
     const chosen = asked === "light" || asked === "dark" ? asked : null;
     if (!this.guest) {
-      for (const element of [this.host, document.body]) setScheme(element, chosen);
+      for (const element of [this.host, this.page.body]) if (element !== null) setScheme(element, chosen);
       return;
     }
     const scheme = chosen ?? this.ofPage();
@@ -72,7 +87,7 @@ export class Theme {
   }
 
   private readonly changed = ({ type, target }: Event) => {
-    if (type !== "load" || (target instanceof Node && isStyling(target))) this.soon();
+    if (type !== "load" || isStyling(target as Node)) this.soon();
   };
 
   /** Before the page is painted the next time: what changes often is looked at once. */
@@ -94,8 +109,8 @@ export class Theme {
       }
     }
     const around = ancestors(this.host);
-    const said = getComputedStyle(around[0] ?? document.documentElement).colorScheme;
-    const own = document.querySelector<HTMLMetaElement>("meta[name=color-scheme]")?.content ?? "";
+    const said = getComputedStyle(around[0] ?? this.page.documentElement).colorScheme;
+    const own = this.page.querySelector<HTMLMetaElement>("meta[name=color-scheme]")?.content ?? "";
     const words = said === "normal" ? own : said;
     // Slides are often dark without saying so.
     return words === "" ? groundOf(around) : fromColorScheme(words, this.system?.matches === true);
@@ -104,7 +119,10 @@ export class Theme {
 
 /** Whether a node is a style sheet, or brings one. */
 const isStyling = (node: Node): boolean =>
-  node instanceof Element && (node.matches("style, link") || node.querySelector("style, link") !== null);
+  isElement(node) && (node.matches("style, link") || node.querySelector("style, link") !== null);
+
+/** Of whichever window: what is in another has classes of its own. */
+const isElement = (node: Node): node is Element => node.nodeType === Node.ELEMENT_NODE;
 
 /** The colours that a playground has now. */
 export function schemeOf({ dataset }: HTMLElement): Scheme {
@@ -141,7 +159,9 @@ function ancestors(element: Element): Element[] {
 function around(element: Element): Element | null {
   if (element.assignedSlot !== null) return element.assignedSlot;
   const parent = element.parentNode;
-  return parent instanceof ShadowRoot ? parent.host : element.parentElement;
+  return parent !== null && "host" in parent && !isElement(parent)
+    ? (parent as ShadowRoot).host
+    : element.parentElement;
 }
 
 function fromColorScheme(said: string, systemDark: boolean): Scheme {
