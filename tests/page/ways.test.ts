@@ -10,6 +10,7 @@ import { gzipSync } from "node:zlib";
 import type { Frame, Page } from "playwright-core";
 import { dist, inRoot } from "../../scripts/lib/paths.mjs";
 import { inAscii } from "../../scripts/page/ascii.mjs";
+import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
 import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
 import { startHost } from "./support/host.js";
@@ -132,6 +133,33 @@ test("as a script and as a page from a blob", () =>
     ]);
     await solved(frame);
   }));
+
+test("under an embedder policy that the page has and the worker's script has not", () =>
+  visit(
+    async ({ page }) => {
+      const headers = { "Cross-Origin-Embedder-Policy": "require-corp" };
+      const worker = readdirSync(join(dist, "assets")).find((file) => /^solver\.worker-[^/]+\.js$/.test(file)) ?? "";
+      const placed = one.replace("link=", `worker-url="../assets/${worker}" link=`);
+      for (const body of [own + one, single + one, own + placed]) {
+        home.own.set("lesson/embedder.html", {
+          body: `<!doctype html><html lang="en"><meta charset="utf-8"><title>Way</title>${body}`,
+          headers,
+        });
+        await page.goto(`${home.address}lesson/embedder.html`);
+        await solved(page);
+        // What takes the full core is there, too.
+        await page.locator("#one").evaluate((playground) => (playground as MoCoppPlayground).toSVG());
+      }
+      // Where the script is not there either, that is said as ever.
+      home.own.set("lesson/embedder.html", {
+        body: `<!doctype html><html lang="en"><meta charset="utf-8"><title>Way</title>${own}${placed.replace(worker, "no-worker.js")}`,
+        headers,
+      });
+      await page.goto(`${home.address}lesson/embedder.html`);
+      await page.locator("#one").getByRole("alert").getByText("no script came from worker-url").first().waitFor();
+    },
+    { quiet: false },
+  ));
 
 test("files that the page places itself are those that are used", () =>
   visit(async ({ page, requests }) => {

@@ -9,6 +9,7 @@ import { NAME } from "./names.js";
 import { faultOf, NotLoaded } from "./not-loaded.js";
 import { chosenPlaces } from "./places.js";
 import type { CoreMessage, Reply } from "./protocol.js";
+import { Refusable } from "./refusable.js";
 import workerAddress from "./solver.worker.ts?worker&url";
 import { startTrusted } from "./trusted.js";
 import { whyUnreachable } from "./unreachable.js";
@@ -19,14 +20,28 @@ const texts = new Map<string, Promise<string>>();
 const cores = new Map<string, Promise<ArrayBuffer>>();
 
 export async function startElsewhere(): Promise<SolverWorker> {
-  const { worker, wasm } = chosenPlaces();
-  const address = addressOf(worker, "worker-url") ?? new URL(workerAddress, document.baseURI);
-  const core = addressOf(wasm, "wasm-url");
-  const started =
-    address.origin === globalThis.origin ? fromFile(address) : fromText(await once(texts, address, "worker-url", text));
-  if (core !== null) return supply(started, { light: null, full: core });
+  const address = scriptAddress();
+  if (address.origin !== globalThis.origin) return startCopy();
+  return new Refusable(
+    supplied(() => fromFile(address)),
+    startCopy,
+  );
+}
+
+/** From the text of the script, wherever that is. */
+export async function startCopy(): Promise<SolverWorker> {
+  const script = await once(texts, scriptAddress(), "worker-url", text);
+  return supplied(() => fromText(script));
+}
+
+const scriptAddress = (): URL =>
+  addressOf(chosenPlaces().worker, "worker-url") ?? new URL(workerAddress, document.baseURI);
+
+function supplied(start: () => Worker): Worker {
+  const core = addressOf(chosenPlaces().wasm, "wasm-url");
+  if (core !== null) return supply(start(), { light: null, full: core });
   const [light, full] = [lightAddress, fullAddress].map((file) => new URL(file, document.baseURI)) as [URL, URL];
-  return supply(started, { light, full });
+  return supply(start(), { light, full });
 }
 
 function addressOf(given: string | null, attribute: Attribute): URL | null {

@@ -4,6 +4,7 @@ import { Later, type SolverWorker } from "./later.js";
 import { NAME } from "./names.js";
 import { chosenPlaces } from "./places.js";
 import type { CoreMessage } from "./protocol.js";
+import { Refusable } from "./refusable.js";
 
 export type { SolverWorker };
 
@@ -21,7 +22,7 @@ export function startWorker(): SolverWorker {
   const full = new URL("../../pkg/mo_copp_bg.wasm", import.meta.url).href;
   worker.postMessage({ kind: "light", core: light } satisfies CoreMessage);
   worker.postMessage({ kind: "full", core: full } satisfies CoreMessage);
-  return worker;
+  return new Refusable(worker, () => import("./elsewhere.js").then(({ startCopy }) => startCopy()));
 }
 
 const elsewhere = (): SolverWorker =>
