@@ -757,8 +757,8 @@ test("whichever way a page writes, the boards are as large as ever, and its lett
     const hostile = `visibility: visible; letter-spacing: 5px; word-spacing: 9px; line-height: 4; text-indent: 50px; text-transform: uppercase;
       white-space: pre; text-orientation: upright; hyphens: auto; tab-size: 20; font: italic 700 40px/3 serif; text-align: right; direction: rtl;
       border-spacing: 20px; caption-side: bottom; quotes: none; orphans: 9; overflow-wrap: anywhere; word-break: break-all; line-break: anywhere`;
-    const measured = async (style: string) => {
-      await lesson(page, `<div style="${style}"><div style="width: 800px">${one}</div></div>`);
+    const measured = async (style: string, head = "") => {
+      await lesson(page, `<div style="${style}"><div style="width: 800px">${one}</div></div>`, { head });
       await ready(page);
       return page.locator("#one").evaluate((playground) => {
         const found = [...(playground.shadowRoot?.querySelectorAll("svg[data-board], h2, .stepper") ?? [])];
@@ -774,6 +774,15 @@ test("whichever way a page writes, the boards are as large as ever, and its lett
     for (const mode of ["vertical-rl", "vertical-lr", "sideways-rl"])
       assert.deepEqual(await measured(`writing-mode: ${mode}`), plain, mode);
     assert.deepEqual(await measured(`writing-mode: vertical-rl; ${hostile}`), plain, "all that is inherited");
+    // A rule may be for the element itself, or for all.
+    const broken = "columns: 3; contain: strict; container: page / size; text-orientation: upright; direction: rtl";
+    for (const rule of ["writing-mode: vertical-rl", "writing-mode: sideways-lr !important", broken])
+      for (const selector of ["mo-copp-playground", ...(rule === broken ? [] : ["*", "body *"])])
+        assert.deepEqual(
+          await measured("", `<style>${selector} { ${rule} }</style>`),
+          plain,
+          `${selector} { ${rule} }`,
+        );
     // Where the place has no width of its own, there are boards all the same.
     await lesson(page, `<div style="writing-mode: vertical-rl; height: 600px">${one}</div>`);
     await ready(page);
