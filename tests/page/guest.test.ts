@@ -724,6 +724,26 @@ test("a base of the page leaves its address the page's own", () =>
     }
   }));
 
+test("libraries that put lists of their own in the place of the browser's leave the playground as it is", () =>
+  visit(async ({ page }) => {
+    // As libraries of the time before iterators do: what has a length is a list, and nothing else.
+    const library = `<script>
+      Array.from = (given) => Object.assign([], { length: given.length || 0 }, given);
+      Array.prototype.entries = function () { return [...this]; };
+    </script>`;
+    for (const [problem, board] of [
+      ["corridor", "[data-cell='1,0']"],
+      ["delivery", ".truck"],
+      ["blocks", "rect"],
+    ] as const) {
+      await lesson(page, one.replace("corridor", problem), { head: library });
+      await ready(page);
+      await page.locator(`#one [data-board=actor] ${board}`).first().waitFor({ state: "attached" });
+      await page.locator("#one").getByRole("tab", { name: "Trade-off" }).click();
+      await page.locator("#one .charts .point").first().waitFor({ state: "attached" });
+    }
+  }));
+
 test("where parts stand goes by the size that all goes by, and not by the page's root", () =>
   visit(async ({ page }) => {
     // Between the widths at which parts of the playground are laid out in another way.

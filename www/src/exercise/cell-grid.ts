@@ -2,6 +2,7 @@
 import { html, type TemplateResult } from "lit";
 import type { Question, State } from "../core.js";
 import { cellText } from "../problem/cells.js";
+import { times } from "../problem/times.js";
 import type { Exercise } from "../state/exercise.js";
 import { floorOf } from "./floor.js";
 
@@ -26,8 +27,8 @@ export function cellGrid(exercise: Exercise, question: Question): TemplateResult
   const width = floor?.width ?? Math.max(...cells.map(([column]) => column)) + 1;
   const height = floor?.height ?? Math.max(...cells.map(([, row]) => row)) + 1;
   const at = new Map(cells.map((cell, index) => [String(cell), index]));
-  const rows = Array.from({ length: height }, (_, row) => row);
-  const columns = Array.from({ length: width }, (_, column) => column);
+  const rows = times(height, (row) => row);
+  const columns = times(width, (column) => column);
   return html`<fieldset class="choices">
     <legend>${legends[question.place ?? "state"]}</legend>
     <div class="cells" .style=${`grid-template-columns: 1.6rem repeat(${width}, minmax(1.6rem, 1fr))`} role="group"

@@ -18,7 +18,7 @@ export interface Entry {
   plans?: readonly NamedPlan[];
 }
 
-const times = (count: number, action: string): string[] => Array.from({ length: count }, () => action);
+const times = (count: number, action: string): string[] => [...Array(count).keys()].map(() => action);
 
 export const entries: readonly Entry[] = [
   {

@@ -1,4 +1,5 @@
 // Cells of a grid, and lists of them.
+import { times } from "./times.js";
 import type { Cell } from "./types.js";
 
 export interface Size {
@@ -23,7 +24,7 @@ export const inside = ({ width, height }: Size, [column, row]: Cell): boolean =>
 
 /** Row by row. */
 export const everyCell = ({ width, height }: Size): Cell[] =>
-  Array.from({ length: width * height }, (_, index) => [index % width, Math.floor(index / width)]);
+  times(width * height, (index) => [index % width, Math.floor(index / width)]);
 
 /** Moves between two cells where nothing is in the way. */
 export const distance = (one: Cell, other: Cell): number => Math.abs(one[0] - other[0]) + Math.abs(one[1] - other[1]);
@@ -32,5 +33,5 @@ export const distance = (one: Cell, other: Cell): number => Math.abs(one[0] - ot
 export function between(from: Cell, to: Cell): Cell[] {
   const steps = Math.max(Math.abs(to[0] - from[0]), Math.abs(to[1] - from[1]));
   const at = (start: number, end: number, step: number) => Math.round(start + ((end - start) * step) / steps);
-  return Array.from({ length: steps }, (_, index) => [at(from[0], to[0], index + 1), at(from[1], to[1], index + 1)]);
+  return times(steps, (index) => [at(from[0], to[0], index + 1), at(from[1], to[1], index + 1)]);
 }

@@ -1,5 +1,7 @@
 // What there is to deliver: how many packages at once, the sets of packages that are the candidate goals, and which of
 // them is true.
+
+import { times } from "./times.js";
 import type { DeliveryDocument } from "./types.js";
 
 /** The core takes no more. */
@@ -22,7 +24,7 @@ export function setCount(all: number, chosen: number): number {
 
 /** How many packages may be delivered at once, of so many. */
 export function possibleNumbers(packages: number): number[] {
-  const numbers = Array.from({ length: packages }, (_, index) => index + 1);
+  const numbers = times(packages, (index) => index + 1);
   return numbers.filter((number) => setCount(packages, number) >= 2 && setCount(packages, number) <= MOST_SETS);
 }
 

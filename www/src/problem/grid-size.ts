@@ -51,9 +51,9 @@ export function resized(document: GridworldDocument, width: number, height: numb
   const where = `${cellText(start)}${met === undefined ? "" : `, where ${met.name} is`}`;
   if (!sameCell(start, document.start)) changes.push(`the start moved to ${where}`);
   else if (met !== undefined) changes.push(`${met.name} is where the start is`);
-  for (const [index, { name, cell }] of goals.entries()) {
+  goals.forEach(({ name, cell }, index) => {
     if (!sameCell(cell, document.goals[index]?.cell ?? cell)) changes.push(`${name} moved to ${cellText(cell)}`);
-  }
+  });
   const lost = wallsOf(document).length - kept.length;
   if (lost > 0) changes.push(lost === 1 ? "one wall vanished" : `${lost} walls vanished`);
   return { document: result, changes };

@@ -7,7 +7,7 @@ export const LONGEST_NAME = 100;
 
 /** Without space around it, and without halves of characters, which the core's JSON can't hold. */
 export const tidied = (text: string): string =>
-  Array.from(text.trim())
+  [...text.trim()]
     .slice(0, LONGEST_NAME)
     .join("")
     .replace(/\p{Surrogate}/gu, "\ufffd")

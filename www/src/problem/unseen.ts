@@ -27,7 +27,5 @@ export const visible = (name: string): string =>
 /** The numbers of the characters that can't be seen. */
 export function unseenIn(name: string): string[] {
   if (!some.test(name)) return [];
-  return Array.from(name.matchAll(either)).flatMap(([character, whole]) =>
-    whole === undefined ? [code(character)] : [],
-  );
+  return [...name.matchAll(either)].flatMap(([character, whole]) => (whole === undefined ? [code(character)] : []));
 }

@@ -76,7 +76,7 @@ export class DropTarget {
   ];
 
   private async take({ items, files }: DataTransfer): Promise<void> {
-    const folder = Array.from(items).some((item) => item.webkitGetAsEntry?.()?.isDirectory === true);
+    const folder = [...items].some((item) => item.webkitGetAsEntry?.()?.isDirectory === true);
     const [file] = files;
     if (folder) this.playground.solving.refuse("That is a folder. Drop one problem document, a .json file.");
     else if (file === undefined)

@@ -106,7 +106,9 @@ export class Comparison {
       this.running.value = true;
       this.rows.value = entrants.map((entrant) => ({ entrant, state: "waiting" }));
     });
-    for (const [index, { chosen }] of entrants.entries()) {
+    let index = -1;
+    for (const { chosen } of entrants) {
+      index += 1;
       if (this.cancelled.peek()) break;
       const options = optionsOf({ ...emptyForm, ...numbers, ...chosen });
       if (typeof options === "string") this.change(index, { state: "failed", message: options });

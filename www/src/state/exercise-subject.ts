@@ -2,6 +2,7 @@
 // as its steps tell. The core has the last word (`Exercise.prove`).
 
 import type { TraceStep } from "../core.js";
+import { times } from "../problem/times.js";
 import type { ProblemDocument, Role } from "../problem/types.js";
 import { differenceText } from "../view/numbers.js";
 import { roles } from "../view/observers.js";
@@ -66,7 +67,7 @@ interface View {
 /** The view that is asked about: at the step shown, or, where that is the start, as late as it makes a question. */
 function viewOf(chosen: Chosen, shown: Shown): View {
   const last = Math.max(0, shown.steps.length - 1);
-  const backwards = Array.from({ length: last }, (_, back) => last - back);
+  const backwards = times(last, (back) => last - back);
   // Who is to guess must be able to.
   const steps = chosen.kind === "guess" ? [last] : shown.step > 0 ? [shown.step] : backwards;
   const asked = chosen.observer === null ? roles : [chosen.observer];

@@ -1,5 +1,6 @@
 // The signs on buttons and in the list of goals. They are drawn, not written: fonts differ.
 import { html, svg, type TemplateResult } from "lit";
+import { times } from "../problem/times.js";
 
 export const icon = (shape: unknown, kind = ""): TemplateResult =>
   html`<svg class="icon ${kind}" viewBox="0 0 16 16" aria-hidden="true">${shape}</svg>`;
@@ -27,7 +28,7 @@ export const question = icon(
 );
 
 /** A five-pointed star around the origin, one unit to each point. */
-export const starPath = `M${Array.from({ length: 10 }, (_, corner) => {
+export const starPath = `M${times(10, (corner) => {
   const [angle, radius] = [(corner * Math.PI) / 5, corner % 2 === 0 ? 1 : 0.45];
   return `${(radius * Math.sin(angle)).toFixed(3)} ${(-radius * Math.cos(angle)).toFixed(3)}`;
 }).join("L")}Z`;

@@ -16,6 +16,6 @@ export function named(name: string): string {
 
 /** A very long name would hide the sentence it stands in; the lists have it in full. */
 export function brief(name: string): string {
-  const letters = Array.from(visible(name));
+  const letters = [...visible(name)];
   return named(letters.length <= LONGEST ? letters.join("") : `${letters.slice(0, LONGEST - 1).join("")}…`);
 }

@@ -66,7 +66,7 @@ export function fromText(script: string): Worker {
 }
 
 const inBase64 = (text: string): string =>
-  btoa(Array.from(new TextEncoder().encode(text), (byte) => String.fromCharCode(byte)).join(""));
+  btoa([...new TextEncoder().encode(text)].map((byte) => String.fromCharCode(byte)).join(""));
 
 /** Sends the worker the cores: the light one at once, the full one when it asks, or that one alone. */
 function supply(worker: Worker, { light, full }: { light: URL | null; full: URL }): Worker {

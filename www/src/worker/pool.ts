@@ -31,7 +31,7 @@ interface Place {
 }
 
 export class WorkerPool {
-  private readonly places: readonly Place[] = Array.from({ length: MOST_WORKERS }, () => ({
+  private readonly places: readonly Place[] = [...Array(MOST_WORKERS).keys()].map(() => ({
     client: new SolverClient(),
     job: null,
     last: null,

@@ -19,7 +19,7 @@ export function pairsChart(points: readonly PairPoint[], goals: number, bounds: 
   const y = (enemy: number) => TOP + (goals - enemy + 0.5) * cell;
   const radius = Math.max(3, Math.min(8, cell * 0.3));
   const every = Math.ceil(goals / MOST_LABELS);
-  const counts = Array.from({ length: goals }, (_, index) => index + 1);
+  const counts = [...Array(goals).keys()].map((index) => index + 1);
   const labelled = (count: number) => (count - 1) % every === 0;
   return html`<svg class="chart" viewBox="0 0 ${WIDTH} ${HEIGHT}" role="group" @keydown=${pointKeys}
     aria-label="Goals possible for the enemy against goals possible for the friend">
@@ -70,7 +70,7 @@ export function pairsChart(points: readonly PairPoint[], goals: number, bounds: 
 
 /** For each goal difference, from where to where its line crosses the grid. */
 function diagonals(goals: number): [from: [number, number], to: [number, number]][] {
-  return Array.from({ length: 2 * goals - 1 }, (_, index) => {
+  return [...Array(2 * goals - 1).keys()].map((index) => {
     const ahead = index + 1 - goals;
     const from = Math.max(1, 1 - ahead);
     const to = Math.min(goals, goals - ahead);

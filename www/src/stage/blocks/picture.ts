@@ -42,6 +42,6 @@ function theHand(x: number, held: string | null) {
 }
 
 function shortened(name: string): string {
-  const letters = Array.from(name);
+  const letters = [...name];
   return letters.length <= LONGEST_NAME ? name : `${letters.slice(0, LONGEST_NAME - 1).join("")}…`;
 }

@@ -38,10 +38,10 @@ export function smallPackage(name: string, title: string, { x, y }: Spot, size: 
 
 function label(name: string) {
   const text = shortened(name, LONGEST);
-  return svg`<text class=${Array.from(text).length > 2 ? "long" : ""} x="0.5" y="0.78">${text}</text>`;
+  return svg`<text class=${[...text].length > 2 ? "long" : ""} x="0.5" y="0.78">${text}</text>`;
 }
 
 export function shortened(name: string, longest: number): string {
-  const letters = Array.from(name);
+  const letters = [...name];
   return letters.length <= longest ? name : `${letters.slice(0, longest - 1).join("")}…`;
 }

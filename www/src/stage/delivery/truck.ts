@@ -49,12 +49,13 @@ function agreed(name: Exclude<BoardName, "actor">, { scene, shown }: DeliveryInp
 /** What lies in the bed, in the order in which it was loaded. */
 function cargo(name: BoardName, { scene, trace, step, shown }: DeliveryInput) {
   const goods: { label: string; title: string; kind: string }[] = [];
-  for (const [index, now] of trace.steps.slice(0, step + 1).entries()) {
-    const before = trace.steps[index - 1];
-    if (before === undefined) continue;
+  let before = trace.steps[0];
+  for (const now of trace.steps.slice(0, step + 1)) {
+    const earlier = before ?? now;
+    before = now;
     const added = scene.factories
       .flatMap(({ packages }) => packages)
-      .find((pack) => isLoaded(now.state, pack) && !isLoaded(before.state, pack));
+      .find((pack) => isLoaded(now.state, pack) && !isLoaded(earlier.state, pack));
     if (added === undefined) continue;
     if (name === "actor") {
       goods.push({ label: added, title: added, kind: "solid" });
@@ -70,5 +71,5 @@ function cargo(name: BoardName, { scene, trace, step, shown }: DeliveryInput) {
 /** A symbol's last word where it is short ("barcode A" is "A"); else a question mark. */
 function mark(symbol: string): string {
   const word = symbol.split(" ").at(-1) ?? "";
-  return Array.from(word).length <= 2 ? word : "?";
+  return [...word].length <= 2 ? word : "?";
 }

@@ -2,6 +2,7 @@
 // made once for a size, and then only what changes is touched.
 import { noChange } from "lit";
 import { Directive, directive, type ElementPart, type PartInfo, PartType } from "lit/directive.js";
+import { times } from "../../problem/times.js";
 import { type Cell, keyOf } from "./cells.js";
 
 export interface CellsDrawn {
@@ -56,7 +57,7 @@ class CellLayer extends Directive {
     const pattern = document.createElementNS(NAMESPACE, "rect");
     const shared = { class: "floor", width: 0.94, height: 0.94, rx: 0.13 };
     for (const [name, value] of Object.entries(shared)) pattern.setAttribute(name, String(value));
-    this.cells = Array.from({ length: width * height }, (_, index) => {
+    this.cells = times(width * height, (index) => {
       const [column, row] = [index % width, Math.floor(index / width)];
       const rect = pattern.cloneNode() as SVGRectElement;
       const key = keyOf([column, row]);

@@ -42,7 +42,9 @@ class GoalLayer extends AsyncDirective {
   override update(part: ElementPart, [drawn]: [GoalsDrawn]): typeof noChange {
     clearTimeout(this.timer);
     for (const { group } of this.badges.splice(drawn.goals.length)) group.remove();
-    for (const [index, badge] of this.badges.entries()) show(badge, drawn, index);
+    this.badges.forEach((badge, index) => {
+      show(badge, drawn, index);
+    });
     this.goOn(part.element, drawn);
     return noChange;
   }
@@ -60,7 +62,9 @@ class GoalLayer extends AsyncDirective {
     const fresh = drawn.goals.slice(from, from + AT_ONCE).map(made);
     layer.append(...fresh.map(({ group }) => group));
     this.badges.push(...fresh);
-    for (const [index, badge] of fresh.entries()) show(badge, drawn, from + index);
+    fresh.forEach((badge, index) => {
+      show(badge, drawn, from + index);
+    });
     this.goOn(layer, drawn);
   }
 }

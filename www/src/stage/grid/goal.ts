@@ -44,6 +44,6 @@ function goalMark(board: BoardName, goal: GoalView, { x, y, scale }: Place) {
 
 /** Names are the document's and may be long; the list of goals has them in full. */
 function shortened(name: string): string {
-  const letters = Array.from(name);
+  const letters = [...name];
   return letters.length <= LONGEST_LABEL ? name : `${letters.slice(0, LONGEST_LABEL - 1).join("")}…`;
 }

@@ -4,6 +4,7 @@ import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from 
 import { boardMarks } from "../../gesture/board-marks.js";
 import { boardBlur, boardFocus, boardKey } from "../../gesture/keys.js";
 import { boardPointer } from "../../gesture/pointer.js";
+import { times } from "../../problem/times.js";
 import type { Cell } from "../../problem/types.js";
 import { enlarged, isLarge } from "../../view/scale.js";
 import type { BoardInput, BoardName } from "../board-input.js";
@@ -71,7 +72,7 @@ export function poseBoard(
 }
 
 const everywhere = ({ width, height }: PoseScene): Cell[] =>
-  Array.from({ length: width * height }, (_, index) => [index % width, Math.floor(index / width)]);
+  times(width * height, (index) => [index % width, Math.floor(index / width)]);
 
 /** The robot's way: walked as a line, to come as dots. */
 function path({ trace, step }: BoardInput<PoseScene>) {

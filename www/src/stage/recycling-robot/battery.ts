@@ -1,5 +1,6 @@
 // The battery below a board: how full it is, or how full an observer holds possible.
 import { nothing, svg } from "lit";
+import { times } from "../../problem/times.js";
 import { can } from "./things.js";
 
 /** The document allows many levels; more than these are a number. */
@@ -31,7 +32,7 @@ export function battery(
         ? nothing
         : svg`<g transform="translate(0.06 0.18)"><rect class="case" width=${each * cells + 0.08} height="0.44" rx="0.07"></rect>
             <rect class="case" x=${each * cells + 0.08} y="0.12" width="0.07" height="0.2"></rect>
-            ${Array.from({ length: cells }, (_, index) => svg`<rect class="level ${look(index + 1)}" x=${0.06 + index * each} y="0.06" width=${each - 0.04} height="0.32" rx="0.03"></rect>`)}</g>`
+            ${times(cells, (index) => svg`<rect class="level ${look(index + 1)}" x=${0.06 + index * each} y="0.06" width=${each - 0.04} height="0.32" rx="0.03"></rect>`)}</g>`
     }
     <text class="below" x=${cells > MOST ? 0.06 : each * cells + 0.32} y="0.52">${said}</text>
     ${carried === null ? nothing : svg`<g transform="translate(${width - 0.2} 0.4) scale(1.3)">${can(carried)}</g><text class="below end" x=${width - 0.42} y="0.52">${carried === "sure" ? "holds" : "may hold"}</text>`}
