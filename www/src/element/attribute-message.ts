@@ -1,6 +1,15 @@
 // The message about attributes that can't be used, beside other messages: it goes when the attributes are right.
 import type { Playground } from "../playground/playground.js";
-import { mistakes } from "./settings.js";
+import { mistakes, settingNames } from "./settings.js";
+
+/** Attributes that change how a playground looks and behaves, and not what is open in it. */
+export const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link"]);
+
+/** Attributes that a message may be about. */
+const remarked: ReadonlySet<string> = new Set([
+  ...[...settingNames, ...manners],
+  ...["seed", "student", "loading", "watch", "root"],
+]);
 
 export class AttributeMessage {
   /** What was said last: the sentences about attributes, the rest of the message, and all of it together. */
@@ -11,15 +20,20 @@ export class AttributeMessage {
     private readonly playground: Playground,
   ) {}
 
-  /** Says what is wrong with these attributes, of all that the message may be about. */
-  say(names: ReadonlySet<string>, all: ReadonlySet<string>): void {
+  /** Says what is wrong with any attribute. */
+  sayAll(): void {
+    this.say(remarked);
+  }
+
+  /** Says what is wrong with these attributes. */
+  say(names: ReadonlySet<string>): void {
     const { answer, problem, solving } = this.playground;
     const goals = problem.scene.value?.goals.length ?? null;
     const found = mistakes(this.host, names, goals);
     const shown = answer.error.peek();
     // A message that was closed, or that another one replaced, has nothing to take back.
     const before = this.said !== null && this.said.all === shown ? this.said : null;
-    const wrong = before === null ? [] : mistakes(this.host, all, goals);
+    const wrong = before === null ? [] : mistakes(this.host, remarked, goals);
     const kept = before?.found.filter((mistake) => wrong.includes(mistake)) ?? [];
     if (found.length === 0 && kept.length === (before?.found.length ?? 0)) return;
     const rest = before === null ? shown : before.rest;

@@ -6,11 +6,12 @@ import type { SharedState } from "../share/shared-state.js";
 import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
 import { followed } from "./attributes.js";
+import type { Wanted } from "./given.js";
 import { parsed } from "./parsed.js";
 import { reflect, reflected } from "./reflected.js";
 import type { ElementSolveOptions } from "./solve-options.js";
 import type { PngOptions, SvgOptions } from "./svg-options.js";
-import type { View, Wanted } from "./view.js";
+import type { View } from "./view.js";
 import { whenNear, whenParsed } from "./when.js";
 
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;

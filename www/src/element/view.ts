@@ -30,9 +30,10 @@ import { LazyPanel } from "../workbench/lazy-panel.js";
 import { type WorkbenchStores, workbench } from "../workbench/workbench.js";
 import { choosePlaces } from "../worker/places.js";
 import type { Answered } from "../worker/protocol.js";
-import { AttributeMessage } from "./attribute-message.js";
+import { AttributeMessage, manners } from "./attribute-message.js";
 import { Notifier } from "./events.js";
 import { FirstUse } from "./first-use.js";
+import { Given, type Wanted } from "./given.js";
 import { keepInSight } from "./in-sight.js";
 import { linkAddressOf } from "./link-address.js";
 import { LiveRender } from "./live-render.js";
@@ -52,7 +53,6 @@ import {
   leavesSeed,
   type Part,
   seedOf,
-  settingNames,
   settingsOf,
   settle,
 } from "./settings.js";
@@ -65,23 +65,6 @@ import { UnderWay } from "./under-way.js";
 const exercise = new LazyPanel<ExerciseViewStores>(
   async () => (await import("../exercise/exercise-view.js")).exerciseView,
 );
-
-/** Attributes that change how a playground looks and behaves, and not what is open in it. */
-const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link"]);
-
-/** Attributes that a message may be about. */
-const remarked: ReadonlySet<string> = new Set([
-  ...[...settingNames, ...manners],
-  ...["seed", "student", "loading", "watch", "root"],
-]);
-
-/** What a page's script asked for before there was a view; it goes before attributes and address. */
-export interface Wanted {
-  document: string | null;
-  state: string | null;
-}
-
-const nothingGiven: Wanted = { document: null, state: null };
 
 /** What the element is told. */
 interface Told {
@@ -124,10 +107,7 @@ export class View {
   /** How often they were followed: work that is still under way then knows that other attributes came after. */
   private followed = 0;
   private following = false;
-  /** The document that a script gave last: it stands for the element's own until another address is asked for. */
-  private given: string | null = null;
-  /** What a script gave and is on its way. */
-  private pending: Wanted;
+  private readonly given: Given;
 
   constructor(
     private readonly host: HTMLElement,
@@ -135,7 +115,7 @@ export class View {
     private readonly told: Told,
     first: Wanted,
   ) {
-    this.pending = first;
+    this.given = new Given(first);
     this.question = new PageQuestion(host, this.playground);
     this.address = new Address(this.playground, host.shadowRoot !== null, (state) => this.question.refuses(state));
     this.copier = new LinkCopier(this.address);
@@ -193,14 +173,13 @@ export class View {
 
   get document(): ProblemDocument | null {
     const { exercise, problem } = this.playground;
-    const pending = parsed(this.pending.document);
-    if (pending !== null) return pending as ProblemDocument;
+    if (this.given.document !== null) return this.given.document as ProblemDocument;
     const asked = exercise.posed.value;
     return asked === null ? (problem.document.value?.value ?? null) : JSON.parse(asked.text);
   }
 
   get state(): SharedState | null {
-    return (parsed(this.pending.state) ?? parsed(keptState(this.playground))) as SharedState | null;
+    return (this.given.state ?? parsed(keptState(this.playground))) as SharedState | null;
   }
 
   /** What was asked for before comes to nothing. */
@@ -245,15 +224,12 @@ export class View {
   private async take(pending: Wanted, document: string | null, open: () => Promise<boolean>): Promise<void> {
     this.followed += 1;
     this.followQuestion();
-    const before = this.given;
-    this.given = document;
-    this.pending = pending;
+    this.given.begin(pending, document);
     const opened = await open();
-    if (this.pending !== pending) return;
-    this.pending = nothingGiven;
+    if (!this.given.end(pending, opened)) return;
     if (opened) this.question.take();
     else this.question.miss();
-    if (!opened && this.given === document) this.given = before;
+    if (opened && this.given.step) goToStep(this.playground, settingsOf(this.host));
     const { again } = this.playground.answer;
     if (!opened && again.value !== null) again.value = () => void this.give(pending, document, open);
   }
@@ -276,7 +252,7 @@ export class View {
 
   attributeChanged(name: string): void {
     this.picture.request();
-    if (name === "src" || name === "problem") this.given = null;
+    if (name === "src" || name === "problem") this.given.drop();
     // A page that changes several means all of them at once.
     if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
     this.changed.add(name);
@@ -289,8 +265,15 @@ export class View {
       void this.settle();
       return;
     }
-    if (names.has("step")) goToStep(this.playground, settingsOf(this.host));
-    this.message.say(names, remarked);
+    if (names.has("step")) this.followStep();
+    this.message.say(names);
+  }
+
+  private followStep(): void {
+    const { given, playground } = this;
+    if (given.isPending) given.step = true;
+    if (!given.isPending || playground.problem.document.value?.text === given.text)
+      goToStep(this.playground, settingsOf(this.host));
   }
 
   /** `watch` invites to watch the first problem; where steps can't be walked through, their end is all there is to see. */
@@ -309,9 +292,11 @@ export class View {
     this.followQuestion();
     this.question.begin();
     const wanted = () => now === this.followed;
+    const pending = this.given.join();
+    const given = this.given.text;
     const asked = settingsOf(this.host);
-    const settings = this.given === null ? asked : { ...asked, src: null, problem: null };
-    const document = this.given ?? inline(this.host) ?? exampleDocument;
+    const settings = given === null ? asked : { ...asked, src: null, problem: null };
+    const document = given ?? inline(this.host) ?? exampleDocument;
     const again = () => void this.settle(at);
     const settled = await settle(this.playground, settings, document, at, {
       wanted,
@@ -320,9 +305,11 @@ export class View {
     });
     if (wanted() && settled) this.question.take();
     else if (wanted()) this.question.miss();
+    // What may come the next time is still what was given.
+    if (wanted()) this.given.end(pending, settled || this.playground.answer.again.value !== null);
     // The step may have changed meanwhile.
     if (settled) goToStep(this.playground, settingsOf(this.host));
-    if (wanted()) this.message.say(remarked, remarked);
+    if (wanted()) this.message.sayAll();
   }
 
   /** What an exercise is asked with. */
@@ -336,13 +323,16 @@ export class View {
   private async begin(): Promise<void> {
     this.begun = true;
     this.followQuestion();
-    const { pending } = this;
-    if (pending.state !== null) return this.openState(pending.state);
-    if (pending.document !== null) {
-      this.given = pending.document;
-      await this.settle(this.opensAt);
-      if (this.pending === pending) this.pending = nothingGiven;
-      return;
+    const { document, state } = this.given.first;
+    if (state !== null) {
+      const opened = this.openState(state);
+      // A state that names no step leaves it to the attribute.
+      this.given.step = (parsed(state) as Partial<SharedState>).step === undefined;
+      return opened;
+    }
+    if (document !== null) {
+      this.given.text = document;
+      return this.settle(this.opensAt);
     }
     const opened = await this.openLink();
     if (opened === true || this.followed > 0) return;

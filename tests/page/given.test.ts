@@ -1,0 +1,145 @@
+// What a page's script gives a playground by properties, with other things that it sets meanwhile, and what can't be used.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Page } from "playwright-core";
+import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
+import { visit } from "./support/browser.js";
+import { grid } from "./support/documents.js";
+import { startHost } from "./support/host.js";
+
+const home = await startHost();
+
+async function lesson(page: Page, asked = `problem="corridor"`): Promise<void> {
+  home.own.set("lesson/page.html", {
+    body: `<!doctype html><html lang="en"><meta charset="utf-8"><link rel="icon" href="data:,"><title>Lesson</title>
+      <script type="module" src="../mo-copp-playground.js"></script>
+      <mo-copp-playground id="one" ${asked} link="off"></mo-copp-playground>`,
+  });
+  await page.goto(`${home.address}lesson/page.html`);
+}
+
+const ready = (page: Page, more = "") => page.waitForSelector(`#one[data-status=optimal]${more}`);
+const cells = (page: Page, count: number) =>
+  page.waitForFunction(
+    (count) =>
+      document.querySelector("#one")?.shadowRoot?.querySelectorAll("[data-board=actor] [data-cell]").length === count,
+    count,
+  );
+/** Sets properties and attributes (names that begin with @) in their order and in one turn; `ready` waits for what was set. */
+const give = (page: Page, given: readonly (readonly [name: string, value: unknown])[]) =>
+  page.evaluate(async (given) => {
+    const playground = document.querySelector("#one") as MoCoppPlayground;
+    for (const [name, value] of given) {
+      if (name.startsWith("@")) playground.setAttribute(name.slice(1), String(value));
+      else Reflect.set(playground, name, value);
+    }
+    // A method waits for whatever was set before it.
+    await playground.toSVG();
+    await new Promise(requestAnimationFrame);
+    return [playground.dataset.step, playground.state?.plan?.join()];
+  }, given);
+
+test("a step and a plan that are set with a document, or while it comes, are of that document", () =>
+  visit(async ({ page }) => {
+    await lesson(page);
+    await ready(page, '[data-step="5"]');
+    const state = { document: grid({ width: 7 }) };
+    assert.deepEqual(
+      (
+        await give(page, [
+          ["document", grid()],
+          ["step", 1],
+        ])
+      )[0],
+      "1",
+      "document, then step",
+    );
+    await cells(page, 12);
+    assert.deepEqual(
+      (
+        await give(page, [
+          ["step", 2],
+          ["document", grid({ width: 5 })],
+        ])
+      )[0],
+      "2",
+      "step, then document",
+    );
+    await cells(page, 15);
+    assert.deepEqual(
+      (
+        await give(page, [
+          ["document", grid({ width: 6 })],
+          ["@step", 1],
+        ])
+      )[0],
+      "1",
+      "an attribute",
+    );
+    await cells(page, 18);
+    assert.deepEqual(
+      (
+        await give(page, [
+          ["state", state],
+          ["step", 3],
+        ])
+      )[0],
+      "3",
+      "state, then step",
+    );
+    await cells(page, 21);
+    const plan = ["north", "north", "east"];
+    assert.deepEqual(
+      await give(page, [
+        ["document", grid({ width: 5 })],
+        ["plan", plan],
+        ["step", 2],
+      ]),
+      ["2", plan.join()],
+      "document, then plan and step",
+    );
+    await cells(page, 15);
+    // The document stays the one that was given, whatever is set after it.
+    assert.deepEqual(
+      await give(page, [
+        ["plan", ["north"]],
+        ["step", 1],
+      ]),
+      ["1", "north"],
+      "plan and step alone",
+    );
+    await cells(page, 15);
+    // A step of long ago is none of the next document's.
+    assert.deepEqual((await give(page, [["document", grid()]]))[0], "5", "a document alone");
+    await cells(page, 12);
+    // One that can't be opened leaves the one before, also for the attributes that are set with it and after it.
+    await give(page, [
+      ["document", grid({ width: 0 })],
+      ["step", 1],
+    ]);
+    await page.waitForSelector("#one[data-status=error]");
+    await give(page, [
+      ["document", grid({ width: 0 })],
+      ["plan", plan],
+    ]);
+    await page.waitForSelector("#one[data-status=error]");
+    assert.deepEqual(
+      await give(page, [
+        ["plan", ["north", "north"]],
+        ["step", 2],
+      ]),
+      ["2", "north,north"],
+      "as it was",
+    );
+    await cells(page, 12);
+  }));
+
+test("a state that was set before the first picture takes the step that it does not name from the element", () =>
+  visit(async ({ page }) => {
+    await lesson(page, `problem="corridor" step="2" loading="lazy" style="margin-top: 5000px"`);
+    await page.waitForSelector("#one[data-status=idle]");
+    assert.equal((await give(page, [["state", { document: grid() }]]))[0], "2", "the step of the element");
+    await lesson(page, `problem="corridor" step="2" loading="lazy" style="margin-top: 5000px"`);
+    await page.waitForSelector("#one[data-status=idle]");
+    assert.equal((await give(page, [["state", { document: grid(), step: 1 }]]))[0], "1", "its own step");
+  }));
