@@ -18,6 +18,10 @@ export function chosenIn(part: Element): string | null {
   return nothing ? null : part.value;
 }
 
+/** Whether a person has taken back what a field sets. */
+export const isUnchecked = (part: Element): boolean =>
+  part instanceof HTMLInputElement && part.type === "checkbox" && !part.checked;
+
 /** Shows a value in a field or as text. `most`: the largest that it can become, where it is a number that has one. */
 export function showIn(part: Element, value: string, most: number | null): void {
   if (isChoice(part)) part.checked = part.value === value;

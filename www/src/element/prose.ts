@@ -3,7 +3,7 @@
 // `data-mo-copp-show` what is shown or, in a field, shown and set.
 import { differenceText } from "../view/numbers.js";
 import { bringIntoView, isSeen } from "./into-view.js";
-import { chosenIn, showIn } from "./prose-field.js";
+import { chosenIn, isUnchecked, showIn } from "./prose-field.js";
 
 const FOR = "data-mo-copp-for";
 const SET = "data-mo-copp-set-";
@@ -19,6 +19,14 @@ interface Shown {
   goals: Record<"adversarial" | "cooperative", string[]>;
   goal_difference: number;
 }
+
+/** What is shown as it is asked for. The step is told of once it is there. */
+const ofAttributes = [...settable].filter((name) => name !== "step");
+
+/** What names a problem: of these one is open. */
+const addresses = ["src", "problem"] as const;
+/** What belongs to one problem, and not to the next. */
+const ofProblem = [...addresses, "plan", "step"] as const;
 
 /** What each playground told last, wherever in the page it was moved since. */
 const told = new WeakMap<HTMLElement, Shown>();
@@ -36,11 +44,14 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
   const selector = () => `[${FOR}="${CSS.escape(host.id)}"]`;
   const parts = (): HTMLElement[] => (host.id === "" ? [] : [...root.querySelectorAll<HTMLElement>(selector())]);
   const set = (wanted: readonly [name: string, value: string][]) => {
+    for (const name of leftBy(wanted)) host.removeAttribute(name);
     for (const [name, value] of wanted) {
       if (host.getAttribute(name) === value) again(name);
       else host.setAttribute(name, value);
     }
   };
+  /** What a field has taken the place of. */
+  const before = new WeakMap<Element, string | null>();
   const show = () => {
     for (const part of parts()) write(part, host, told.get(host) ?? null);
   };
@@ -62,9 +73,16 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
   const typed = (event: Event) => {
     const part = partOf(event, parts());
     const name = part?.getAttribute(SHOW) ?? "";
-    const value = part === undefined || !settable.has(name) ? null : chosenIn(part);
-    if (value === null) return;
-    set([[name, value]]);
+    if (part === undefined || !settable.has(name)) return;
+    const value = chosenIn(part);
+    if (value !== null) {
+      before.set(part, host.getAttribute(name));
+      set([[name, value]]);
+    } else if (isUnchecked(part) && name !== "step") {
+      const earlier = before.get(part) ?? null;
+      if (earlier === null) host.removeAttribute(name);
+      else host.setAttribute(name, earlier);
+    } else return;
     wake();
   };
   const listeners: [EventTarget, string, (event: Event) => void][] = [
@@ -75,7 +93,7 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
   for (const [target, type, listener] of listeners) target.addEventListener(type, listener);
   // Not every change of the status has an event.
   const state = new MutationObserver(show);
-  state.observe(host, { attributes: true, attributeFilter: ["id", "data-status", "data-gd"] });
+  state.observe(host, { attributes: true, attributeFilter: ["id", "data-status", "data-gd", ...ofAttributes] });
   // What comes into the prose later.
   const prose = new MutationObserver((records) => {
     if (host.id !== "" && records.some((record) => brings(record, selector()))) show();
@@ -111,6 +129,14 @@ const changes = (part: Element): [name: string, value: string][] =>
     .filter(({ name }) => name.startsWith(SET) && settable.has(name.slice(SET.length)))
     .map(({ name, value }) => [name.slice(SET.length), value]);
 
+/** What was set before and is none of another problem: of `src` and `problem` the last one counts. */
+function leftBy(wanted: readonly [name: string, value: string][]): string[] {
+  const names = wanted.map(([name]) => name);
+  return names.some((name) => isOneOf(addresses, name)) ? ofProblem.filter((name) => !names.includes(name)) : [];
+}
+
+const isOneOf = (names: readonly string[], name: string): boolean => names.includes(name);
+
 function write(part: HTMLElement, host: HTMLElement, shown: Shown | null): void {
   const step = part.getAttribute(`${SET}step`);
   if (step !== null) {
@@ -123,15 +149,27 @@ function write(part: HTMLElement, host: HTMLElement, shown: Shown | null): void 
   if (value !== null) showIn(part, value, name === "step" ? (shown?.steps ?? null) : null);
 }
 
-/** Whether a link is to what the playground was asked to show last, and not to another plan or problem. */
-const isOfSame = (part: Element, host: Element): boolean =>
-  ["plan", "src", "problem"].every((name) => {
-    const [wanted, asked] = [part.getAttribute(SET + name), host.getAttribute(name)];
-    return wanted === null || asked === null || wanted === asked;
-  });
+/** Whether a link is to what the playground shows, and not to another plan or problem, or to one that did not come. */
+function isOfSame(part: Element, host: HTMLElement): boolean {
+  const [src, problem, plan] = ["src", "problem", "plan"].map((name) => part.getAttribute(SET + name));
+  const names = src !== null || problem !== null;
+  if (!names && plan === null) return true;
+  if (host.dataset.status === "error" || host.dataset.status === "solving") return false;
+  const asked = {
+    src: host.getAttribute("src"),
+    problem: host.getAttribute("problem"),
+    plan: host.getAttribute("plan"),
+  };
+  // A link to a problem without a plan leads to its best one.
+  if (plan !== asked.plan) return false;
+  if (!names) return true;
+  return src === null ? asked.src === null && problem === asked.problem : src === asked.src;
+}
 
 function shownValue(name: string, host: HTMLElement, shown: Shown | null): string | null {
   if (name === "status") return host.dataset.status ?? null;
+  if (name === "theme") return host.getAttribute(name) ?? "auto";
+  if (isOneOf(ofAttributes, name)) return host.getAttribute(name);
   if (shown === null) return null;
   switch (name) {
     case "gd":

@@ -49,6 +49,13 @@ export function settingsOf(element: Element): Settings {
   return Object.fromEntries(settingNames.map((name) => [name, element.getAttribute(name)])) as unknown as Settings;
 }
 
+/** Of `src` and `problem` the one that was set last counts; of both together the former. */
+export function leaveOther(element: Element, changed: ReadonlySet<string>): void {
+  const [src, problem] = ["src", "problem"].map((name) => changed.has(name) && element.hasAttribute(name));
+  if (src) element.removeAttribute("problem");
+  else if (problem) element.removeAttribute("src");
+}
+
 /** The variant of an exercise that the attributes ask for: that of a student before that of a number. */
 export function seedOf(element: Element): Seed {
   const student = element.getAttribute("student");

@@ -50,6 +50,7 @@ import {
   inline,
   isOwnPage,
   keyReachOf,
+  leaveOther,
   leavesSeed,
   type Part,
   seedOf,
@@ -259,6 +260,7 @@ export class View {
   }
 
   private followAttributes(): void {
+    leaveOther(this.host, this.changed);
     const names = new Set(this.changed);
     this.changed.clear();
     if ([...names].some((name) => !manners.has(name))) {
