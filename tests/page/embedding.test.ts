@@ -84,7 +84,7 @@ test("settings that can't be used are said, and the problem is shown", () =>
     await course(
       page,
       `<mo-copp-playground id="one" problem="corridor" solver="magic" step="abc" hide="tols legend" link="of" loading="lazzy" k="99" j="2"
-        watch="false" student="   " root="x"></mo-copp-playground>`,
+        watch="yes" student="   " root="x"></mo-copp-playground>`,
     );
     const alert = page.locator("#one").getByRole("alert").first();
     await alert.getByText("“magic” can’t be used for the attribute solver; expected exact, ip,").waitFor();
@@ -92,7 +92,7 @@ test("settings that can't be used are said, and the problem is shown", () =>
     await alert.getByText("“tols” can’t be used for the attribute hide; expected parts").waitFor();
     await alert.getByText("“of” can’t be used for the attribute link; expected on, off.").waitFor();
     await alert.getByText("“lazzy” can’t be used for the attribute loading; expected lazy, eager.").waitFor();
-    await alert.getByText("“false” can’t be used for the attribute watch; expected no value").waitFor();
+    await alert.getByText("“yes” can’t be used for the attribute watch; expected no value").waitFor();
     await alert.getByText("“   ” can’t be used for the attribute student; expected a name").waitFor();
     await alert.getByText("“x” can’t be used for the attribute root; expected page").waitFor();
     await alert.getByText("“99” can’t be used for the attribute k; expected a whole number from 1 to 4.").waitFor();

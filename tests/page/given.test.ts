@@ -143,3 +143,76 @@ test("a state that was set before the first picture takes the step that it does 
     await page.waitForSelector("#one[data-status=idle]");
     assert.equal((await give(page, [["state", { document: grid(), step: 1 }]]))[0], "1", "its own step");
   }));
+
+test("a value that no JSON can be made of is said, before there is a picture and after", () =>
+  visit(async ({ page }) => {
+    const values = [
+      "() => 1",
+      "Symbol('x')",
+      "1n",
+      "(() => { const a = {}; a.a = a; return a; })()",
+      "({ width: 3n })",
+    ];
+    const found = ["A function", "A symbol", "A BigInt", "An object that is no JSON", "An object that is no JSON"];
+    const expected = { document: "a problem document, as an object or as its text", state: "what state has held" };
+    const set = (name: string, value: string) =>
+      page.evaluate(`void (document.querySelector("#one").${name} = ${value})`);
+    const told = (text: string) => page.locator("#one").getByRole("alert").first().getByText(text).waitFor();
+    await lesson(page);
+    await ready(page);
+    for (const [name, words] of Object.entries(expected)) {
+      for (const [at, value] of values.entries()) {
+        await set(name, value);
+        await told(`${found[at]}`);
+        await told(`can’t be used for the property ${name}; expected ${words}`);
+        assert.equal(await page.locator("#one").getAttribute("data-step"), "5", "what was shown stays");
+        await page.locator("#one").getByRole("button", { name: "Close the message" }).click();
+        await ready(page);
+      }
+    }
+    for (const value of ["5", "true", "[]"]) {
+      await set("document", value);
+      await page.waitForSelector("#one[data-status=error]");
+      const text = (await page.locator("#one").getByRole("alert").first().textContent()) ?? "";
+      assert.match(text, /^document: found .+, expected an object/);
+      await page.locator("#one").getByRole("button", { name: "Close the message" }).click();
+      await ready(page);
+    }
+    await lesson(page, `problem="corridor" loading="lazy" style="display: block; margin-top: 5000px"`);
+    await page.waitForSelector("#one[data-status=idle]");
+    await set("document", "() => 1");
+    await page.locator("#one").scrollIntoViewIfNeeded();
+    await told("A function can’t be used for the property document");
+    assert.equal(await page.locator("#one .title", { hasText: "One step too far" }).count(), 1, "there is a picture");
+  }));
+
+test("document and state as attributes are said, and an attribute that says “false” is not there", () =>
+  visit(async ({ page }) => {
+    await lesson(page, `problem="corridor" document="[object Object]" state="" watch="false"`);
+    const alert = page.locator("#one").getByRole("alert").first();
+    await alert
+      .getByText(
+        "“document” is no attribute but a property: it is set by a script (element.document = …), or stands in",
+      )
+      .waitFor();
+    await alert
+      .getByText("“state” is no attribute but a property: it is set by a script (element.state = …).")
+      .waitFor();
+    assert.equal(await page.locator("#one").getAttribute("data-step"), "5", "nobody is invited to watch");
+    assert.equal(
+      await page.locator("#one").evaluate((one) => (one as MoCoppPlayground & { watch: boolean }).watch),
+      false,
+    );
+    await page.locator("#one").evaluate((one) => {
+      one.removeAttribute("document");
+      one.removeAttribute("state");
+    });
+    await ready(page);
+    await page.locator("#one").evaluate((one) => one.setAttribute("document", "{}"));
+    await alert.getByText("“document” is no attribute").waitFor();
+    await lesson(page, `problem="corridor" watch="false"`);
+    await ready(page, '[data-step="5"]');
+    assert.equal((await alert.textContent())?.trim(), "");
+    await lesson(page, `problem="corridor" watch`);
+    await ready(page, '[data-step="0"]');
+  }));

@@ -141,7 +141,7 @@ test("a document that can't be had is said with its address and what helps, and 
       }
       // What the page itself got wrong is put right there.
       for (const [attributes, words] of [
-        ['problem="nowhere"', "There is no problem called “nowhere”"],
+        ['problem="nowhere"', /“nowhere” in the gallery; expected eight-by-eight, head-fake, .*driverlog\.$/],
         ['problem="corridor" seed="x"', "“x” can’t be used for the attribute seed"],
         [`src="exercise.json" seed="x"`, "“x” can’t be used for the attribute seed"],
       ] as const) {

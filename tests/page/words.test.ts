@@ -40,6 +40,11 @@ test("a number that is too large is not called no number", () =>
     for (const [search, words] of [
       ["horizon=99999999", "The plan length must be at most 10,000; found “99999999”."],
       ["k=123456789", "“123456789” can’t be used for the attribute k; expected a whole number from 1 to"],
+      [
+        "k=1234567890123456789",
+        "“1234567890123456789” can’t be used for the attribute k; expected a whole number from 1",
+      ],
+      ["j=9999999999999999", "“9999999999999999” can’t be used for the attribute j; expected a whole number from 1"],
       ["horizon=soon", "The plan length must be a whole number; found “soon”."],
     ] as const) {
       await open(page, search);

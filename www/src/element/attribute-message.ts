@@ -1,9 +1,10 @@
 // The message about attributes that can't be used, beside other messages: it goes when the attributes are right.
 import type { Playground } from "../playground/playground.js";
+import { propertiesAlone } from "./attributes.js";
 import { mistakes, settingNames } from "./settings.js";
 
 /** Attributes that change how a playground looks and behaves, and not what is open in it. */
-export const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link"]);
+export const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link", ...propertiesAlone]);
 
 /** Attributes that a message may be about. */
 const remarked: ReadonlySet<string> = new Set([

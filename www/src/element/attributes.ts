@@ -26,4 +26,14 @@ export const followed: readonly string[] = [...Object.keys(settings), ...manners
 /** Looked at once: when the element comes into the page, when its form is sent, when the first one starts the core. */
 const once = ["name", "watch", "loading", "worker-url", "wasm-url"] as const;
 
+/** What is no attribute, and may be taken for one: its being there is said. */
+export const propertiesAlone = ["document", "state"] as const;
+
 export const attributes: readonly string[] = [...followed, ...once];
+
+/** How an attribute without a value says that it is not there. */
+export const no = "false";
+
+/** Whether an attribute without a value is there; a framework that writes the values of others says `false` for no. */
+export const isOn = (element: Element, name: string): boolean =>
+  element.hasAttribute(name) && element.getAttribute(name) !== no;

@@ -5,6 +5,8 @@ import { parsed } from "./parsed.js";
 export interface Wanted {
   document: string | null;
   state: string | null;
+  /** Why what was set last could not be used. */
+  fault?: string | null;
 }
 
 const nothing: Wanted = { document: null, state: null };

@@ -5,9 +5,9 @@ import type { ProblemDocument } from "../problem/types.js";
 import type { SharedState } from "../share/shared-state.js";
 import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
-import { followed } from "./attributes.js";
+import { followed, propertiesAlone } from "./attributes.js";
 import type { Wanted } from "./given.js";
-import { parsed } from "./parsed.js";
+import { parsed, textOf } from "./parsed.js";
 import { reflect, reflected } from "./reflected.js";
 import type { ElementSolveOptions } from "./solve-options.js";
 import type { PngOptions, SvgOptions } from "./svg-options.js";
@@ -24,7 +24,7 @@ export abstract class PlaygroundElement extends Base {
   static readonly formAssociated = true;
 
   static get observedAttributes(): string[] {
-    return [...followed];
+    return [...followed, ...propertiesAlone];
   }
 
   /** Settles once the first picture is drawn, or cannot be. */
@@ -70,9 +70,10 @@ export abstract class PlaygroundElement extends Base {
 
   set document(value: ProblemDocument | string | null) {
     if (value === null || value === undefined) return;
-    const text = typeof value === "string" ? value : JSON.stringify(value);
-    if (this.#view === null) Object.assign(this.#wanted, { document: text, state: null });
-    else void this.#view.openDocument(text);
+    const given = textOf("document", value);
+    if ("fault" in given) this.#refuse(given.fault);
+    else if (this.#view === null) Object.assign(this.#wanted, { document: given.text, state: null, fault: null });
+    else void this.#view.openDocument(given.text);
   }
 
   /** All that a link would hold: problem, options, plan, step, open tab. Kept and set again, the playground is as it was. */
@@ -83,9 +84,16 @@ export abstract class PlaygroundElement extends Base {
 
   set state(value: SharedState | null) {
     if (value === null || value === undefined) return;
-    const text = JSON.stringify(value);
-    if (this.#view === null) Object.assign(this.#wanted, { document: null, state: text });
-    else void this.#view.openState(text);
+    const given = textOf("state", value);
+    if ("fault" in given) this.#refuse(given.fault);
+    else if (this.#view === null) Object.assign(this.#wanted, { document: null, state: given.text, fault: null });
+    else void this.#view.openState(given.text);
+  }
+
+  /** What was set can't be used: what was there stays. */
+  #refuse(fault: string): void {
+    if (this.#view === null) this.#wanted.fault = fault;
+    else this.#view.refuse(fault);
   }
 
   /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number. */
@@ -199,7 +207,7 @@ export abstract class PlaygroundElement extends Base {
 
   /** What a script set before the element was one: then it hides what the element does with it. */
   #takeEarlier(): void {
-    for (const name of [...reflected, "document", "state"]) {
+    for (const name of [...reflected, ...propertiesAlone]) {
       if (!Object.hasOwn(this, name)) continue;
       const value: unknown = Reflect.get(this, name);
       Reflect.deleteProperty(this, name);

@@ -1,5 +1,5 @@
 // Each attribute as a property: what is set is the attribute's text, and `null` or `undefined` takes it away.
-import { attributes } from "./attributes.js";
+import { attributes, isOn } from "./attributes.js";
 
 /** `worker-url` is `workerUrl`. */
 const propertyOf = (attribute: string) => attribute.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
@@ -17,7 +17,7 @@ export function reflect(prototype: HTMLElement): void {
       configurable: true,
       enumerable: true,
       get(this: HTMLElement) {
-        return attribute === FLAG ? this.hasAttribute(attribute) : this.getAttribute(attribute);
+        return attribute === FLAG ? isOn(this, attribute) : this.getAttribute(attribute);
       },
       set(this: HTMLElement, value: unknown) {
         const text = textOf(value);

@@ -6,6 +6,7 @@ import { emptyForm, type Form, solverNames } from "../state/form.js";
 import { fitted } from "../state/numbers.js";
 import { brief } from "../view/names.js";
 import type { Seed } from "../worker/protocol.js";
+import { isOn, no, propertiesAlone } from "./attributes.js";
 import { fetched } from "./fetched.js";
 import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
@@ -92,6 +93,14 @@ const loadings = ["lazy", "eager"] as const;
 /** How HTML, and the tools that write it, say that an attribute without a value is there. */
 const yes = ["", "watch", "true"] as const;
 
+/** `watch` invites to watch the first problem; where steps can't be walked through, their end is all there is to see. */
+export const opensAt = (element: Element): "first" | "end" =>
+  isOn(element, "watch") && !hiddenParts(element.getAttribute("hide")).has("stepper") ? "first" : "end";
+
+/** Where else a page says what is a property. */
+const INSIDE = ", or stands in the element, as a script of the type application/json";
+const elsewhere = { document: INSIDE, state: "" } as const;
+
 /**
  * What of these attributes can't be used: a sentence for each that says what was expected. `goals`: how many the problem
  * has; null while there is none.
@@ -107,8 +116,10 @@ export function mistakes(element: Element, names: ReadonlySet<string>, goals: nu
   if (keys !== null && !isOneOf(keyReaches, keys)) found.push(unusable("keys", keys, keyReaches.join(", ")));
   if (seed !== null && wholeNumberOf(seed) === null) found.push(unusable("seed", seed, "a whole number from 0"));
   if (student?.trim() === "") found.push(unusable("student", student, "a name; without one the attribute is left out"));
-  if (watch !== null && !isOneOf(yes, watch))
-    found.push(unusable("watch", watch, "no value: the attribute alone says yes, and no attribute says no"));
+  if (watch !== null && watch !== no && !isOneOf(yes, watch))
+    found.push(
+      unusable("watch", watch, "no value: the attribute alone says yes, and no attribute, or “false”, says no"),
+    );
   if (root !== null && root !== "page")
     found.push(unusable("root", root, "page, which is for the playground’s own page alone"));
   for (const [name, words] of Object.entries({ link: links, loading: loadings })) {
@@ -116,9 +127,15 @@ export function mistakes(element: Element, names: ReadonlySet<string>, goals: nu
     if (word !== null && !isOneOf(words, word)) found.push(unusable(name, word, words.join(", ")));
   }
   for (const name of ["k", "j"]) {
-    const bound = wholeNumberOf(value(name) ?? "");
-    if (bound === null || goals === null || bound <= goals) continue;
-    found.push(unusable(name, String(bound), `a whole number from 1 to ${goals}`));
+    const text = (value(name) ?? "").trim();
+    if (goals === null || !/^\d+$/.test(text) || Number(text) <= goals) continue;
+    found.push(unusable(name, brief(text), `a whole number from 1 to ${goals}`));
+  }
+  for (const name of propertiesAlone) {
+    if (value(name) === null) continue;
+    found.push(
+      `“${name}” is no attribute but a property: it is set by a script (element.${name} = …)${elsewhere[name]}.`,
+    );
   }
   for (const part of hiddenParts(value("hide"))) {
     const known = part === "" || isOneOf(parts, part) || isOneOf(pageParts, part);

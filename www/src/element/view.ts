@@ -52,6 +52,7 @@ import {
   keyReachOf,
   leaveOther,
   leavesSeed,
+  opensAt,
   type Part,
   seedOf,
   settingsOf,
@@ -155,7 +156,7 @@ export class View {
     this.sizes.observe(this.root);
     this.root.addEventListener("focusin", this.seen);
     this.picture.connect();
-    if (!this.begun) void this.work(() => this.begin());
+    if (!this.begun) void this.work(() => this.begin().then(() => this.refuse(this.given.first.fault ?? null)));
   }
 
   disconnect(): void {
@@ -181,6 +182,10 @@ export class View {
 
   get state(): SharedState | null {
     return (this.given.state ?? parsed(keptState(this.playground))) as SharedState | null;
+  }
+
+  refuse(fault: string | null): void {
+    if (fault !== null) this.playground.solving.refuse(fault);
   }
 
   /** What was asked for before comes to nothing. */
@@ -278,12 +283,6 @@ export class View {
       goToStep(this.playground, settingsOf(this.host));
   }
 
-  /** `watch` invites to watch the first problem; where steps can't be walked through, their end is all there is to see. */
-  private get opensAt(): "first" | "end" {
-    const watched = this.host.hasAttribute("watch") && !hiddenParts(this.host.getAttribute("hide")).has("stepper");
-    return watched ? "first" : "end";
-  }
-
   private settle(at: "first" | "end" = "end"): Promise<void> {
     return this.work(() => this.takeAttributes(at));
   }
@@ -334,13 +333,13 @@ export class View {
     }
     if (document !== null) {
       this.given.text = document;
-      return this.settle(this.opensAt);
+      return this.settle(opensAt(this.host));
     }
     const opened = await this.openLink();
     if (opened === true || this.followed > 0) return;
     const { answer, solving } = this.playground;
     const [mistake, again] = [answer.error.value, answer.again.value];
-    await this.settle(this.opensAt);
+    await this.settle(opensAt(this.host));
     if (opened === false && mistake !== null) solving.refuse(mistake, again);
   }
 

@@ -9,6 +9,7 @@ import type { Edits } from "../state/edits.js";
 import type { OpenDocument, OpenProblem } from "../state/open-problem.js";
 import type { Plans } from "../state/plans.js";
 import type { Solving } from "../state/solving.js";
+import { brief } from "../view/names.js";
 import { type Entry, entries, type NamedPlan } from "./entries.js";
 
 interface GalleryStores {
@@ -56,7 +57,7 @@ export class Gallery {
     this.playground.solving.refuse(
       known
         ? "The gallery could not be loaded. Check the connection, then try again."
-        : `There is no problem called “${name}” in the gallery.`,
+        : `There is no problem called “${brief(name)}” in the gallery; expected ${entries.map((entry) => entry.name).join(", ")}.`,
       known ? () => void this.open(name, at) : null,
     );
     return false;
