@@ -213,6 +213,13 @@ test("document and state as attributes are said, and an attribute that says “f
     await lesson(page, `problem="corridor" watch="false"`);
     await ready(page, '[data-step="5"]');
     assert.equal((await alert.textContent())?.trim(), "");
+    await lesson(page, `problem="corridor" hide="enemy friend"`);
+    await ready(page, '[data-step="5"]');
+    const boards = await page
+      .locator("#one svg[data-board]")
+      .evaluateAll((boards) => boards.map((board) => (board as SVGElement).dataset.board));
+    assert.deepEqual(boards, ["actor"], "the agent's board stands alone");
+    assert.equal((await alert.textContent())?.trim(), "");
     await lesson(page, `problem="corridor" watch`);
     await ready(page, '[data-step="0"]');
   }));

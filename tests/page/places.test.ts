@@ -59,6 +59,11 @@ test("what worker-url and wasm-url name, and what is wrong with it", () =>
         ['wasm-url="http://["', "“http://[” can’t be used for the attribute wasm-url; expected an address."],
         ['wasm-url=""', "“” can’t be used for the attribute wasm-url; expected an address."],
         ['worker-url="http://["', "“http://[” can’t be used for the attribute worker-url; expected an address."],
+        ...["worker-url", "wasm-url"].map((name): [string, string] => [
+          `${name}="javascript:alert(1)"`,
+          `“javascript:alert(1)” can’t be used for the attribute ${name}; expected an address by https:, http:, data:`,
+        ]),
+        ['worker-url="blob:null/abc"', "could not be loaded: no such blob is known to this page"],
         ['worker-url="html.js"', "what worker-url names, “html.js”, is not its script: "],
         ['worker-url="chatty.js"', "what worker-url names, “chatty.js”, is not its script: its first message is none"],
         ['worker-url="page.html.js"', "what worker-url names, “page.html.js”, is not its script: "],

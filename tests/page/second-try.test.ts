@@ -133,6 +133,13 @@ test("a document that can't be had is said with its address and what helps, and 
         ["nowhere.json", [`${home.address}lesson/nowhere.json was answered with 404`], true],
         ["", ["The attribute src is empty"], false],
         ["http://[", ["this is no address"], false],
+        [
+          "blob:null/abc",
+          ["no such blob is known to this page: it was made by another one, or is gone.", inside],
+          false,
+        ],
+        ["file:///a/b.json", ["browsers let a page of a host read no file of a disk.", inside], false],
+        ["data:x", ["this is no data: address that can be read.", inside], false],
       ];
       for (const [src, said, button] of cases) {
         await lesson(page, `src="${src}"`);

@@ -1,7 +1,7 @@
 // The document that `src` names, or why it cannot be had and what would help.
 import { LARGEST_DOCUMENT, LARGEST_IN_WORDS } from "../problem/limits.js";
 import { brief } from "../view/names.js";
-import { whyUnreachable } from "../worker/unreachable.js";
+import { isReadable, READABLE, whyUnreachable } from "../worker/unreachable.js";
 
 type Fetched =
   | { text: string; fault?: never; mayCome?: never }
@@ -9,10 +9,6 @@ type Fetched =
   | { text?: never; fault: string; mayCome: boolean };
 
 const INSIDE = "A document may stand in the element itself, as a script of the type application/json.";
-
-/** What a page can read from. */
-const protocols: readonly string[] = ["https:", "http:", "data:", "blob:", "file:"];
-const expected = "an address by https:, http:, data: or blob:, or relative to the page";
 
 export async function fetched(given: string): Promise<Fetched> {
   const refused = (why: string, mayCome = false): Fetched => ({
@@ -22,8 +18,8 @@ export async function fetched(given: string): Promise<Fetched> {
   if (given.trim() === "") return { fault: "The attribute src is empty; expected an address.", mayCome: false };
   if (!URL.canParse(given, document.baseURI)) return refused("could not be loaded: this is no address.");
   const address = new URL(given, document.baseURI);
-  if (!protocols.includes(address.protocol))
-    return refused(`could not be loaded: “${address.protocol}” is no place of documents; expected ${expected}.`);
+  if (!isReadable(address))
+    return refused(`could not be loaded: “${address.protocol}” is no place of documents; expected ${READABLE}.`);
   const tooLarge = `is too large: at most ${LARGEST_IN_WORDS} can be opened.`;
   let text: string;
   try {

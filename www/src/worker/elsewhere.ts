@@ -12,7 +12,7 @@ import type { CoreMessage, Reply } from "./protocol.js";
 import { Refusable } from "./refusable.js";
 import workerAddress from "./solver.worker.ts?worker&url";
 import { startTrusted } from "./trusted.js";
-import { whyUnreachable } from "./unreachable.js";
+import { isReadable, READABLE, whyUnreachable } from "./unreachable.js";
 
 type Attribute = "worker-url" | "wasm-url";
 
@@ -46,8 +46,12 @@ function supplied(start: () => Worker): Worker {
 
 function addressOf(given: string | null, attribute: Attribute): URL | null {
   if (given === null) return null;
-  if (given.trim() !== "" && URL.canParse(given, document.baseURI)) return new URL(given, document.baseURI);
-  throw new NotLoaded(`“${given}” can’t be used for the attribute ${attribute}; expected an address`);
+  const refused = (expected: string) =>
+    new NotLoaded(`“${given}” can’t be used for the attribute ${attribute}; expected ${expected}`);
+  if (given.trim() === "" || !URL.canParse(given, document.baseURI)) throw refused("an address");
+  const address = new URL(given, document.baseURI);
+  if (!isReadable(address)) throw refused(READABLE);
+  return address;
 }
 
 const fromFile = (address: URL): Worker => startTrusted(address, { name: NAME });
