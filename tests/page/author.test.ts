@@ -161,7 +161,9 @@ test("parts stay locked where the problem may be opened without the question", (
     await page.getByLabel("Kind of question").selectOption("best");
     await page.getByLabel("Lock: the problem cannot be opened").uncheck();
     const locked = page.getByRole("group", { name: /Locked all the same/ });
+    await page.getByText("the best plan are open to students then.").waitFor();
     await locked.getByLabel("walls").check();
+    await page.getByText("keeps its solvers and best values back").waitFor();
     await locked.getByLabel("width").check();
     await assertNoBarrier(page, "parts that stay locked");
     await press(page, "Try it as a student");
@@ -187,7 +189,7 @@ test("parts stay locked where the problem may be opened without the question", (
     await useDocument(page, JSON.stringify({ ...before, walls: [[0, 1]] }));
     await page.getByText("“walls” stays as the exercise has it: this part of the problem is locked.").first().waitFor();
     await useDocument(page, JSON.stringify(before));
-    await statusIs(page, "optimal");
+    await statusIs(page, "idle");
     await useDocument(page, JSON.stringify({ ...before, walls: [[0, 1]] }));
     await page.getByText("“walls” stays as the exercise has it: this part of the problem is locked.").first().waitFor();
     assert.deepEqual(await documentOf(), before);

@@ -91,10 +91,16 @@ export function authorPanel(playground: AuthorPanelStores): TemplateResult {
   </div>`;
 }
 
+const solversOpen =
+  "Opened without the question, the problem is solved: the solvers, the best values and the best plan are open to students then.";
+const solversClosed =
+  "Opened without the question, the problem keeps its solvers and best values back until the question is answered or no attempt is left.";
+
 /** Parts of the problem that stay as they are when it is opened without the question. */
 function lockedKeys({ problem, exerciseDraft: draft }: AuthorPanelStores, fields: DraftFields): TemplateResult {
   const keys = Object.keys(problem.document.value?.value ?? {}).filter((key) => key !== "format" && key !== "exercise");
-  return html`<fieldset><legend>Locked all the same, by their keys in the document</legend>
+  return html`<p class="open-solver">${fields.lockedKeys.length === 0 ? solversOpen : solversClosed}</p>
+    <fieldset><legend>Locked all the same, by their keys in the document</legend>
     ${keys.map((key) =>
       check(key.replaceAll("_", " "), fields.lockedKeys.includes(key), (on) =>
         draft.edit({ lockedKeys: toggled(fields.lockedKeys, key, on) }),

@@ -2,6 +2,7 @@
 import type { Playground } from "../playground/playground.js";
 import { optionsOf } from "../state/form.js";
 import { fitted } from "../state/numbers.js";
+import { CLOSED } from "../state/solving.js";
 import type { Answered } from "../worker/protocol.js";
 import { changeOf, type ElementSolveOptions } from "./solve-options.js";
 import { type PngOptions, pictureOptions, type SvgOptions } from "./svg-options.js";
@@ -18,6 +19,7 @@ export function goTo({ timeline }: Playground, step: unknown): void {
 /** Options that can't be used leave the form as it was: the next ones are asked for on their own. */
 export async function solve(playground: Playground, options: ElementSolveOptions): Promise<Answered> {
   const { answer, form, problem, solving } = playground;
+  if (problem.newest?.closed) throw new Error(CLOSED);
   const before = form.value;
   const change = changeOf(options);
   const asked = optionsOf({ ...before, ...change });

@@ -4,7 +4,7 @@ import type { Edits } from "../state/edits.js";
 import type { OpenProblem } from "../state/open-problem.js";
 
 interface WayBackStores {
-  problem: Pick<OpenProblem, "question">;
+  problem: Pick<OpenProblem, "closed" | "question">;
   edits: Pick<Edits, "returnToExercise">;
 }
 
@@ -13,7 +13,9 @@ export function wayBack({ problem, edits }: WayBackStores): TemplateResult | typ
   if (question === null) return nothing;
   return html`<div class="way-back">
     <button type="button" @click=${() => void edits.returnToExercise()}>Back to the question</button>
-    <p>This is the problem of a question.${lockedText(question.locked)}</p>
+    <p>This is the problem of a question.${lockedText(question.locked)}${
+      problem.closed.value ? " Solvers and best values are kept back until the question is answered." : ""
+    }</p>
   </div>`;
 }
 

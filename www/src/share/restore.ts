@@ -41,7 +41,7 @@ export async function restore(playground: RestoreStores, state: SharedState): Pr
   void playground.gallery.load();
   showSettings(playground, state);
   if (state.tab !== "") playground.workbench.open(state.tab);
-  if (state.mode === "guess") {
+  if (state.mode === "guess" && !opened?.closed) {
     // What the other was to guess is not in the link: another goal is drawn.
     await playground.guess.start();
     return true;

@@ -1,16 +1,19 @@
 // The best that any plan can reach, always on the screen, and what the plan shown reaches of it.
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import type { Answer, Result } from "../state/answer.js";
 import type { Boards } from "../state/boards.js";
+import type { OpenProblem } from "../state/open-problem.js";
 import { counted, differenceText } from "../view/numbers.js";
 
 export interface BestPossibleStores {
   answer: Answer;
   boards: Boards;
+  problem: OpenProblem;
 }
 
 /** `labelled`: what the number is stands beside it already. */
-export function bestPossible(playground: BestPossibleStores, labelled: boolean): TemplateResult {
+export function bestPossible(playground: BestPossibleStores, labelled: boolean): TemplateResult | typeof nothing {
+  if (playground.problem.closed.value) return nothing;
   const optimum = playground.answer.optimum.value;
   const shown = playground.boards.difference.value;
   const best = optimum?.outcome.goal_difference ?? null;

@@ -26,7 +26,11 @@ export function goalDifference(playground: GoalDifferenceStores): TemplateResult
   const none = isImpossible(playground) && !walking;
   const waiting = playground.answer.status.value === "solving" ? "Looking for a plan." : "No plan yet.";
   // That there can be no plan is said beside it.
-  const lacking = walking ? "You are not at the true goal." : isImpossible(playground) ? "" : waiting;
+  const lacking = walking
+    ? "You are not at the true goal."
+    : isImpossible(playground) || playground.problem.closed.value
+      ? ""
+      : waiting;
   const now =
     final === null ? lacking : atEnd ? "The plan ends here." : `Goal difference at the end: ${differenceText(final)}.`;
   return html`<div class="difference">

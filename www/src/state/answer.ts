@@ -61,6 +61,18 @@ export class Answer {
     this.trace = start;
   }
 
+  /** A document is shown that is not to be solved. */
+  rest(start: Trace): void {
+    this.stopwatch.stop();
+    batch(() => {
+      this.forget(start);
+      this.ran.value = null;
+      this.status.value = "idle";
+      this.progress.value = null;
+      this.slow.value = false;
+    });
+  }
+
   /** Says why there is no answer; what was answered before stays. `again` asks for the same once more. */
   fail(ending: Ending, again: (() => void) | null = null): void {
     // What came after a stale task sets the state itself.

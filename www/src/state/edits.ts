@@ -13,7 +13,10 @@ interface Stores {
   problem: OpenProblem;
   answer: Pick<Answer, "again" | "dismiss" | "ran">;
   editing: Pick<Editing, "drag">;
-  exercise: Pick<Exercise, "block" | "close" | "kept" | "open" | "posed" | "resume" | "stopOpening" | "textOf">;
+  exercise: Pick<
+    Exercise,
+    "block" | "close" | "isOver" | "kept" | "open" | "posed" | "resume" | "stopOpening" | "textOf"
+  >;
   form: Signal<Form>;
   solving: Pick<Solving, "clear" | "follow" | "open" | "refuse">;
 }
@@ -50,11 +53,14 @@ export class Edits {
       else answer.dismiss();
       return refused === null;
     }
+    // Where parts are locked the solvers are, too, until the question is over.
+    const closed = left !== null && left.locked.length > 0 && !(await exercise.isOver(left.document, left.answer));
+    if (now !== this.asked) return false;
     // A question on its way would come over it; the one that is open stays until there is something else.
     exercise.stopOpening();
     // What is being dragged belongs to the problem that was open.
     editing.drag.value = null;
-    const document = { text, value: documentIn(text), ...(left === null ? {} : { question: left }) };
+    const document = { text, value: documentIn(text), ...belonging(left ?? undefined, closed) };
     const before = problem.document.value;
     const asking = asked.value;
     const fitting = { ...emptyForm, solver: asking.solver, encoding: asking.encoding, ...form };
@@ -136,8 +142,8 @@ export class Edits {
       return;
     }
     this.before ??= this.stores.problem.newest;
-    const { question } = this.before ?? {};
-    this.follow({ value, text: written(value), ...(question === undefined ? {} : { question }) });
+    const { question, closed } = this.before ?? {};
+    this.follow({ value, text: written(value), ...belonging(question, closed) });
   }
 
   /** The edit is made: it can be undone. */
@@ -186,6 +192,12 @@ export class Edits {
     this.stores.solving.follow(document);
   }
 }
+
+/** What a document has of the question that it belongs to. */
+const belonging = (question?: LeftQuestion, closed = false): Pick<OpenDocument, "closed" | "question"> => ({
+  ...(question === undefined ? {} : { question }),
+  ...(closed ? { closed } : {}),
+});
 
 const part = (document: object, key: string): unknown => (document as Record<string, unknown>)[key] ?? null;
 

@@ -188,6 +188,19 @@ export class Exercise {
     this.forget();
   }
 
+  /** Whether nothing more is to be found out: a kept answer is right, as the core says, or no attempt is left. */
+  async isOver(text: string, { name, attempts, checked }: KeptAnswer): Promise<boolean> {
+    const seed = name === undefined || name === "" ? this.seed : { name };
+    const asked = await this.runner.run({ kind: "exercise", document: text, seed });
+    if (asked.kind !== "asked") return false;
+    const { attempts: most, form } = asked.question;
+    if (most !== undefined && attempts >= most) return true;
+    if (checked === undefined) return false;
+    const answer = { ...checked, choices: fitting(checked.choices, form) };
+    const ending = await this.runner.run({ kind: "judge", document: text, seed, ...answer });
+    return ending.kind === "judged" && ending.verdict.right;
+  }
+
   /** Goes on with an answer that was kept. */
   async resume(kept: KeptAnswer): Promise<void> {
     if (kept.name !== undefined) await this.call(kept.name);

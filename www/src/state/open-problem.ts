@@ -19,6 +19,8 @@ export interface OpenDocument {
   text: string;
   value: ProblemDocument;
   question?: LeftQuestion;
+  /** Solvers and best values are kept back: the question that the problem belongs to is still to be answered. */
+  closed?: true;
 }
 
 export class OpenProblem {
@@ -30,6 +32,7 @@ export class OpenProblem {
   /** The text of a document that is being opened: it is shown before it is solved. */
   readonly opening = signal<string | null>(null);
   readonly question: ReadonlySignal<LeftQuestion | null> = computed(() => this.document.value?.question ?? null);
+  readonly closed: ReadonlySignal<boolean> = computed(() => this.document.value?.closed === true);
   readonly history = new History<OpenDocument>();
   readonly canReset: ReadonlySignal<boolean> = computed(() => {
     const text = this.document.value?.text;

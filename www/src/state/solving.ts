@@ -17,6 +17,9 @@ import type { At, Timeline } from "./timeline.js";
 /** What takes longer is seen to take long, and can be cancelled. */
 const SLOW_MS = 300;
 
+/** Why a problem is not solved. */
+export const CLOSED = "The solvers are closed until the question that this problem belongs to is answered.";
+
 export interface Job {
   document: OpenDocument;
   options: SolveOptions;
@@ -74,6 +77,7 @@ export class Solving {
   async solve(at: At = "end"): Promise<void> {
     const document = this.problem.newest;
     if (document === null) return;
+    if (document.closed) return this.remark(CLOSED);
     this.live.clear();
     const options = optionsOf(this.form.value);
     if (typeof options === "string") return this.refuse(options);
@@ -142,6 +146,7 @@ export class Solving {
 
   private async perform(job: Job): Promise<void> {
     const { document, options, at } = job;
+    if (document.closed) return this.show(job);
     const { boards, answer } = this;
     const mode = boards.mode.value;
     answer.progress.value = null;
@@ -162,6 +167,17 @@ export class Solving {
       // A game that was begun meanwhile goes on.
       const played = !changed && mode === "plan" && boards.mode.value !== "plan";
       if (!played) boards.showAnswer(trace, outcome.plan !== null, at);
+    });
+  }
+
+  /** Shows a problem that is not to be solved. */
+  private async show({ document, at }: Job): Promise<void> {
+    const ending = await this.runner.run({ kind: "begin", document: document.text });
+    if (ending.kind !== "begun") return this.failed(ending);
+    batch(() => {
+      this.take(document, ending.scene);
+      this.answer.rest(ending.start);
+      this.boards.showAnswer(ending.start, false, at);
     });
   }
 

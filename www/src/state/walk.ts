@@ -114,7 +114,8 @@ export class Walk {
 
   private async compare(plan: readonly string[], trace: Trace): Promise<void> {
     const document = this.stores.problem.document.value;
-    if (!trace.valid || document === null) {
+    // Where solvers are closed, nothing is told of the best.
+    if (!trace.valid || document === null || document.closed) {
       this.judge.drop();
       this.verdict.value = { kind: "walking" };
       return;

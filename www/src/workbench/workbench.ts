@@ -28,6 +28,12 @@ export interface Tab {
   panel: Panel<WorkbenchStores>;
 }
 
+/** The tabs that solve, or make another question of the problem. */
+const solving: ReadonlySet<string> = new Set(["solve", "compare", "trade-off", "exercise"]);
+
+const tabsOf = ({ problem }: Pick<WorkbenchStores, "problem">): readonly Tab[] =>
+  problem.closed.value ? tabs.filter(({ name }) => !solving.has(name)) : tabs;
+
 const lazy = <Stores>(load: () => Promise<Panel<Stores>>): Panel<Stores> => new LazyPanel(load).panel;
 
 /** The tabs, in the order shown. Only the first is there from the beginning; the page is shown sooner without the others. */
@@ -56,14 +62,15 @@ export const tabs: readonly Tab[] = [
 
 export function workbench(stores: WorkbenchStores): TemplateResult {
   const bench = stores.workbench;
+  const offered = tabsOf(stores);
   // The other tabs would tell the enemy what it must not know.
   const guessing = stores.boards.mode.value === "guess";
   const id = (kind: string, name: string) => `${bench.id}-${kind}-${name}`;
   // A link may name a tab that this page does not have.
-  const open = guessing ? "play" : (tabs.find(({ name }) => name === bench.tab.value) ?? tabs[0])?.name;
+  const open = guessing ? "play" : (offered.find(({ name }) => name === bench.tab.value) ?? offered[0])?.name;
   return html`<section class="card workbench" part="workbench" aria-label="Workbench">
-    <div class="tabs" role="tablist" aria-label="Workbench" @keydown=${keys(bench)}>
-      ${tabs.map(
+    <div class="tabs" role="tablist" aria-label="Workbench" @keydown=${keys(bench, offered)}>
+      ${offered.map(
         ({
           name,
           title,
@@ -72,7 +79,7 @@ export function workbench(stores: WorkbenchStores): TemplateResult {
           @click=${() => bench.open(name)}>${title}</button>`,
       )}
     </div>
-    ${tabs.map(
+    ${offered.map(
       ({
         name,
         panel,
@@ -83,7 +90,7 @@ export function workbench(stores: WorkbenchStores): TemplateResult {
 }
 
 /** Arrow keys, Home and End go through the tabs, as in any list of tabs. */
-function keys(bench: Workbench) {
+function keys(bench: Workbench, tabs: readonly Tab[]) {
   return (event: KeyboardEvent) => {
     const at = tabs.findIndex(({ name }) => name === bench.tab.value);
     const target: Record<string, number> = {

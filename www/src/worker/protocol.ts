@@ -27,6 +27,8 @@ export type Seed = number | { name: string };
 export type Task =
   /** Read a document, solve it and replay the plan, all in one turn. */
   | { kind: "solve"; document: string; options: SolveOptions }
+  /** Read a document, and solve nothing. */
+  | { kind: "begin"; document: string }
   /** Only say whether a document is right. */
   | { kind: "check"; document: string }
   | { kind: "trace"; document: string; plan: string[] }
@@ -77,6 +79,7 @@ export type Update =
 export type Answer =
   /** Without a plan, `trace` is the start alone. */
   | { kind: "solved"; scene: Scene; outcome: Answered; trace: Trace }
+  | { kind: "begun"; scene: Scene; start: Trace }
   | { kind: "checked"; fault: Fault | null }
   | { kind: "traced"; trace: Trace }
   | { kind: "walked"; trace: Trace; next: NextAction[] }

@@ -66,6 +66,8 @@ function perform(core: Core, task: Task, id: number): Answer | Promise<Answer> {
   if (task.kind === "sketch") return sketched(core, task);
   const problem = opened(core, task.document);
   switch (task.kind) {
+    case "begin":
+      return { kind: "begun", scene: problem.scene(), start: problem.overview([], MOST_STATES) };
     case "trace":
       return { kind: "traced", trace: problem.overview(task.plan, MOST_STATES) };
     case "walk":
