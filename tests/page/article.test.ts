@@ -47,9 +47,46 @@ test("a claim that does not hold is found out", () => {
     ["survivors price plan=dark of=enemy < 4", "fewer"],
     ["status price solver=satisficing k=4 j=2 = solved", "a walk"],
     ["survivors price plan=dark of=enemy; survivors price plan=dark of=friend", "4"],
+    ["tells sensors of=enemy vertical=north,east horizontal=south,west = yes", "vertical for north and east"],
+    ["tells sensors of=enemy vertical=north,south = yes", "vertical for north and south"],
+    ["belief hidden-step plan=steps step=2 of=enemy = cells-at hidden-step places=corner", "the corners"],
+    ["shape sensors plan=corner step=2 of=enemy = slanted", "a slanted line"],
+    ["shape sensors plan=corner step=2 of=friend = square", "a square"],
+    ["place next-door at=A = middle", "in the middle"],
+    ["camera head-fake of=enemy = goal head-fake", "at its goal"],
+    ["camera price of=enemy = door head-fake rooms=D1,D2", "in its door"],
+    ["away head-fake plan=straight step=2 from=G = yes", "away from its goal"],
+    ["camera head-fake of=enemy = ends in-sight", "in its sight"],
+    ["loads delivery of=friend = 1", "counts"],
   ] as const)
     assert.throws(() => assertClaim(claim, text), `${claim}: ${text}`);
 });
+
+/** What the sensors of the figures tell. */
+const symbolsTold = new Set(
+  figureNames().flatMap((figure) => {
+    const { observers } = JSON.parse(documentOf(figure)) as { observers: Record<string, { sensor: object }> };
+    const named = (part: unknown): string[] =>
+      typeof part === "object" && part !== null ? Object.values(part).flatMap(named) : [String(part)];
+    return Object.values(observers).flatMap(({ sensor }) => named(sensor));
+  }),
+);
+
+test("what is said of a symbol is a claim", () =>
+  read(async (page) => {
+    const named = await page.locator("main :is(i, em)").evaluateAll((parts) =>
+      parts.map((part) => ({
+        text: (part.textContent ?? "").trim(),
+        claim: part.closest("[data-claim]")?.getAttribute("data-claim") ?? null,
+      })),
+    );
+    const symbols = named.filter(({ text }) => symbolsTold.has(text));
+    assert(symbols.length >= 10, `${symbols.length} symbols are named`);
+    for (const { text, claim } of symbols) {
+      assert(claim !== null, `“${text}” stands in no claim`);
+      assert(claim.includes(`${text}=`), `the claim around “${text}” is about something else: ${claim}`);
+    }
+  }, unscripted));
 
 /** Numbers that are no claim: what is counted off in the text itself, and years. */
 const uncounted = [

@@ -7,6 +7,7 @@ import { automaton } from "../../../scripts/learn/automaton.mjs";
 import { documentOf, figureNames, planOf, plansOf } from "../../../scripts/learn/figures.mjs";
 import { Problem } from "../../../www/pkg/mo_copp.js";
 import type { Outcome, SolveOptions, Trace } from "../../../www/src/core.js";
+import { said } from "./claims-of-figures.js";
 import { replay, solve } from "./core.js";
 
 type Options = Record<string, string>;
@@ -74,6 +75,7 @@ function distance(figure: string, goal: string): number {
 }
 
 const quantities: Record<string, (figure: string, options: Options) => Value> = {
+  ...said,
   // Of a plan, at a step or at its end.
   moves: (figure, options) => actions(figure, options).length,
   extra: (figure, options) => actions(figure, options).length - actions(figure, { plan: options.beyond ?? "" }).length,
@@ -110,7 +112,11 @@ const quantities: Record<string, (figure: string, options: Options) => Value> = 
   // Of a problem.
   goals: (figure) => new Problem(documentOf(figure)).scene().goals.length,
   decoys: (figure) => new Problem(documentOf(figure)).scene().goals.length - 1,
-  most: () => 1,
+  /** The goal difference where the enemy has learnt nothing, with all goals possible, and the friend all, with one. */
+  most: (figure) => {
+    const { length } = new Problem(documentOf(figure)).scene().goals;
+    return (length - 1) / (length - 1);
+  },
   size: (figure) => {
     const { width, height } = JSON.parse(documentOf(figure));
     return `${width} by ${height}`;
@@ -121,7 +127,7 @@ const quantities: Record<string, (figure: string, options: Options) => Value> = 
   },
   symbols: (figure, options) =>
     new Set(Object.values(JSON.parse(documentOf(figure)).observers[roleOf(options)].sensor)).size,
-  cameras: (figure, options) => JSON.parse(documentOf(figure)).observers[roleOf(options)].cameras.length,
+  cameras: (figure, options) => (JSON.parse(documentOf(figure)).observers[roleOf(options)].cameras ?? []).length,
   delivered: (figure) => JSON.parse(documentOf(figure)).deliver,
   factories: (figure) => JSON.parse(documentOf(figure)).factories.length,
   packages: (figure) =>
