@@ -205,6 +205,11 @@ export abstract class PlaygroundElement extends Base {
     if (this.isConnected) this.#view.connect();
   }
 
+  /** The form is reset: it sends no code until another answer is checked. Attempts that were made stay made. */
+  formResetCallback(): void {
+    this.#internals?.setFormValue(null);
+  }
+
   /** What a script set before the element was one: then it hides what the element does with it. */
   #takeEarlier(): void {
     for (const name of [...reflected, ...propertiesAlone]) {
