@@ -247,7 +247,7 @@ export interface Question {
   hide: "beliefs"[];
   /** Whether all of the problem stays as it is, or which keys of its document. */
   lock: boolean | string[];
-  /** The document of the problem, without the exercise. */
+  /** The document of the problem, without the exercise; of a `guess` without a solution `true_goal` is the first candidate, whichever it is. */
   document: object;
   /** Only where it was asked for. `remarks`: what makes the question trivial. */
   solution?: { answer: unknown; size: number; steps: number; remarks: string[] };

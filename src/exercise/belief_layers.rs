@@ -195,6 +195,26 @@ impl BeliefLayers {
         ends.copied().any(|end| holds(self.space.words(end)))
     }
 
+    /// The states that the last symbol alone leaves: those to which a transition with that symbol leads, whatever was told
+    /// before it. None where nothing was told, or where there are too many states.
+    pub(super) fn told_last(&mut self) -> Option<Vec<StateId>> {
+        let last = *self.seen.last()?;
+        let mut known: Layer = self.layers[0].clone();
+        let mut told = Layer::default();
+        let mut at = 0;
+        while let Some((&state, _)) = known.get_index(at) {
+            at += 1;
+            told.extend(self.next(&[state], Some(last))?);
+            known.extend(self.next(&[state], None)?);
+        }
+        Some(told.into_keys().collect())
+    }
+
+    /// Whether some of these states has a property.
+    pub(super) fn any(&self, states: &[StateId], holds: impl Fn(&[u64]) -> bool) -> bool {
+        states.iter().any(|&state| holds(self.space.words(state)))
+    }
+
     /// Why something is possible or believed, or why it is not. `what` names the property, `is` is one of [`POSSIBLE`] and
     /// [`BELIEVED`].
     pub(super) fn finding(

@@ -63,6 +63,16 @@ impl Variant {
         &self.subject.problem
     }
 
+    /// The document as it is asked about. Where the true goal is to be guessed, the first candidate stands in its place.
+    pub fn asked_document(&self) -> Document {
+        let document = self.document();
+        let Kind::Guess(_) = &self.kind else { return document.clone() };
+        let mut draft = Draft::new(document);
+        draft.set_true_goal(&self.subject.problem.goals()[0].name);
+        // A candidate of the document can always be its true goal.
+        draft.finish().unwrap_or_else(|_| document.clone())
+    }
+
     /// The question in words.
     pub fn question(&self) -> String {
         self.kind.question().text(&self.subject)

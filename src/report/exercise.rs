@@ -47,7 +47,8 @@ pub struct ExerciseReport {
     pub hide: Vec<Hidden>,
     /// Whether the problem stays as it is while the question stands.
     pub lock: Lock,
-    /// The document of the problem, without the exercise.
+    /// The document of the problem, without the exercise; of a `guess` without a solution its true goal is the first candidate,
+    /// whichever it is.
     pub document: Document,
     /// A right answer, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -130,7 +131,7 @@ impl ExerciseReport {
             attempts: exercise.attempts(),
             hide: exercise.hidden(),
             lock: exercise.lock().clone(),
-            document: variant.document().clone(),
+            document: variant.asked_document(),
             solution: None,
             sample: None,
         }
@@ -147,6 +148,7 @@ impl ExerciseReport {
     #[must_use]
     pub fn with_solution(mut self, variant: &Variant) -> Self {
         let Difficulty { size, steps, .. } = variant.difficulty();
+        self.document = variant.document().clone();
         self.solution = Some(SolutionReport {
             answer: variant.form().to_json(variant.solution()),
             size,

@@ -2,6 +2,7 @@
 
 use mo_copp::domain::Document;
 use mo_copp::exercise::{Exercise, Hidden, Lock};
+use mo_copp::report::ExerciseReport;
 use serde_json::{Value, json};
 
 use super::text;
@@ -176,4 +177,42 @@ fn a_lock_is_all_nothing_or_keys_of_the_document() {
         refused(json!(["walls", "walls"])),
         "exercise.lock[1]: found walls for the second time, expected each name once"
     );
+}
+
+/// A guess about a floor with two goals as far from the start, and a camera of the enemy.
+fn guess(camera: [u32; 2]) -> String {
+    let unseen = serde_json::json!({"north": "unseen", "south": "unseen", "east": "unseen", "west": "unseen"});
+    serde_json::json!({
+        "format": "gridworld", "width": 5, "height": 2, "start": [2, 1],
+        "goals": [{"name": "D", "cell": [0, 0]}, {"name": "G", "cell": [4, 0]}],
+        "true_goal": "G",
+        "observers": {
+            "adversarial": {"cameras": [camera], "sensor": unseen.clone()},
+            "cooperative": {"sensor": unseen},
+        },
+        "exercise": {"kind": "guess", "observer": "adversarial", "plan": ["east", "east", "north"]},
+    })
+    .to_string()
+}
+
+#[test]
+fn a_guess_that_its_last_symbol_gives_away_is_trivial() {
+    let remarks = |camera| Exercise::parse(&guess(camera)).unwrap().original().remarks().to_vec();
+    assert_eq!(remarks([4, 0]), ["the last symbol leaves one goal"]);
+    // One step before, the camera tells as much, but not by the last symbol alone.
+    assert_eq!(remarks([4, 1]), [""; 0]);
+}
+
+#[test]
+fn what_is_asked_of_a_guess_does_not_hold_its_true_goal() {
+    let exercise = Exercise::parse(&guess([4, 1])).unwrap();
+    let variant = exercise.original();
+    let asked = ExerciseReport::new(&exercise, variant);
+    assert_eq!(serde_json::to_value(&asked.document).unwrap()["true_goal"], "D");
+    let solved = asked.with_solution(variant);
+    assert_eq!(serde_json::to_value(&solved.document).unwrap()["true_goal"], "G");
+    // Of the other kinds it is part of the question.
+    let walk = super::exercise("12-best");
+    let asked = ExerciseReport::new(&walk, walk.original()).document;
+    assert_eq!(&asked, walk.original().document());
 }

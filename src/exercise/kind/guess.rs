@@ -63,6 +63,14 @@ impl Question for Guess {
         if others.is_empty() {
             remarks.push("no other goal is in reach of so many steps".to_owned());
         }
+        let told = layers.told_last();
+        let left = |goal| {
+            let in_goal = |words: &[u64]| subject.in_goal(goal, words);
+            told.as_ref().is_none_or(|states| layers.any(states, in_goal))
+        };
+        if !others.is_empty() && (0..count).filter(|&goal| left(goal)).count() == 1 {
+            remarks.push("the last symbol leaves one goal".to_owned());
+        }
         let difficulty = Difficulty { size: others.len(), steps: layers.steps() };
         let answer = form.answer([true_goal as u32]).ok_or_else(Unfit::too_large)?;
         Ok(Solved { answer, difficulty, remarks })
