@@ -1,7 +1,7 @@
 // The message about attributes that can't be used, beside other messages: it goes when the attributes are right.
 import type { Playground } from "../playground/playground.js";
-import { propertiesAlone } from "./attributes.js";
-import { mistakes, settingNames } from "./settings.js";
+import { propertiesAlone, settingNames } from "./attributes.js";
+import { mistakes } from "./settings.js";
 
 /** Attributes that change how a playground looks and behaves, and not what is open in it. */
 export const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link", ...propertiesAlone]);

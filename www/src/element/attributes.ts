@@ -1,18 +1,7 @@
 // The attributes of the element. No code but their names: the element's script stays small.
-import type { settingNames } from "./settings.js";
 
-type Setting = (typeof settingNames)[number];
-
-const settings: Record<Setting, true> = {
-  src: true,
-  problem: true,
-  plan: true,
-  step: true,
-  solver: true,
-  k: true,
-  j: true,
-  horizon: true,
-};
+/** What is opened, and how it is solved. */
+export const settingNames = ["src", "problem", "plan", "step", "solver", "k", "j", "horizon"] as const;
 
 /** How the playground behaves in its page. */
 const manners = ["hide", "link", "theme", "keys"] as const;
@@ -21,7 +10,7 @@ const manners = ["hide", "link", "theme", "keys"] as const;
 const questions = ["exercise", "seed", "student"] as const;
 
 /** Followed live. */
-export const followed: readonly string[] = [...Object.keys(settings), ...manners, ...questions];
+export const followed: readonly string[] = [...settingNames, ...manners, ...questions];
 
 /** Looked at once: when the element comes into the page, when its form is sent, when the first one starts the core. */
 const once = ["name", "watch", "loading", "worker-url", "wasm-url"] as const;

@@ -1,5 +1,5 @@
 // The address that a link to a made exercise begins with: the page's own, without what it asks of the playground.
-import { settingNames } from "./settings.js";
+import { settingNames } from "./attributes.js";
 
 /** What the address of the playground's own page may ask of it (site.ts): attributes by their names. */
 export const addressKeys = [...settingNames, "hide", "theme", "keys", "exercise", "seed", "student"] as const;

@@ -6,7 +6,7 @@ import { emptyForm, type Form, solverNames } from "../state/form.js";
 import { fitted } from "../state/numbers.js";
 import { brief } from "../view/names.js";
 import type { Seed } from "../worker/protocol.js";
-import { isOn, no, propertiesAlone } from "./attributes.js";
+import { isOn, no, propertiesAlone, settingNames } from "./attributes.js";
 import { fetched } from "./fetched.js";
 import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
@@ -43,8 +43,6 @@ export interface Settings {
   j: string | null;
   horizon: string | null;
 }
-
-export const settingNames = ["src", "problem", "plan", "step", "solver", "k", "j", "horizon"] as const;
 
 export function settingsOf(element: Element): Settings {
   return Object.fromEntries(settingNames.map((name) => [name, element.getAttribute(name)])) as unknown as Settings;
