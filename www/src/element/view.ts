@@ -106,6 +106,8 @@ export class View {
   private begun = false;
   /** The attributes that changed in this turn. */
   private readonly changed = new Set<string>();
+  /** An address is taken away since another one was set: what a script gave meanwhile stays. */
+  private leaving = false;
   /** How often they were followed: work that is still under way then knows that other attributes came after. */
   private followed = 0;
   private following = false;
@@ -258,14 +260,16 @@ export class View {
 
   attributeChanged(name: string): void {
     this.picture.request();
-    if (name === "src" || name === "problem") this.given.drop();
+    if ((name === "src" || name === "problem") && !this.leaving) this.given.drop();
     // A page that changes several means all of them at once.
     if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
     this.changed.add(name);
   }
 
   private followAttributes(): void {
+    this.leaving = true;
     leaveOther(this.host, this.changed);
+    this.leaving = false;
     const names = new Set(this.changed);
     this.changed.clear();
     if ([...names].some((name) => !manners.has(name))) {
