@@ -88,7 +88,7 @@ function listen(model, playground) {
   model.on("change:plan", () => {
     const plan = model.get("plan");
     if (same(plan, playground.state?.plan ?? [])) return;
-    // The attribute may have this text already, from before somebody walked on: taken away and set, it is followed again.
+    // The attribute may have this text already, from before a walk went on: taken away and set, it is followed again.
     playground.removeAttribute("plan");
     playground.setAttribute("plan", plan.join(","));
   });

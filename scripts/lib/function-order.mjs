@@ -16,7 +16,7 @@ import {
 const [NAMES, FUNCTION_NAMES] = ["name", 1];
 /** How many bytes in a row count as one sequence. */
 const SEQUENCE = 6;
-/** A sequence that so many functions have tells none of them from others. */
+/** A sequence that is in more functions than this tells none of them from others. */
 const MOST_FUNCTIONS = 400;
 /** How many bytes before a function it is compared with: less than the window of gzip, for near matches are cheaper. */
 const WINDOW = 8000;

@@ -120,8 +120,8 @@ impl InitialBelief {
         }
     }
 
-    /// States that are spread over the set evenly, and over those in which each of some conditions holds: few enough to follow
-    /// each of them.
+    /// All states where they are listed. Else some that are spread over the set evenly, and over those in which each of some
+    /// conditions holds: few enough to follow each of them.
     pub(crate) fn some_states<'a>(
         &self,
         conditions: impl Iterator<Item = &'a [Fact]>,

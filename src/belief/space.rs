@@ -138,13 +138,8 @@ impl BeliefSpace {
         limits: &Limits,
     ) -> BeliefId {
         let Some((diagrams, set)) = believed.diagram().filter(|_| self.sampling.is_none()) else {
-            let list = match believed.listed() {
-                Some(list) => list.iter().map(|state| states.intern(state)).collect(),
-                None => {
-                    let some = believed.some_states(conditions);
-                    some.iter().map(|state| states.intern(state)).collect()
-                }
-            };
+            let some = believed.some_states(conditions);
+            let list = some.iter().map(|state| states.intern(state)).collect();
             return self.intern(states, list, limits);
         };
         let sensor = &self.sensor;

@@ -7,16 +7,14 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use rustc_hash::FxHashMap;
-
+use super::combinations::CombinationNumbers;
 use super::tuples::Tuples;
 use super::{Problem, SurvivorCounts};
-use crate::belief::diagram::SymbolRelations;
 use crate::belief::{BeliefId, BeliefSpace, Keep, StateSets, TransitionTable};
 use crate::goal_difference::{GoalSet, Survivors};
 use crate::limits::{LimitReached, Limits};
-use crate::sensor::{Sensor, Symbol};
-use crate::task::{Action, State, StateId, StateSpace};
+use crate::sensor::Symbol;
+use crate::task::{Action, StateId, StateSpace};
 
 /// A profile met in a [`JointSpace`], by its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -38,10 +36,6 @@ pub struct Node {
     pub profile: ProfileId,
 }
 
-/// Columns of the dense profile memory, at most; more combinations of symbols are numbered as they
-/// are met.
-const DIRECT_COMBINATIONS: usize = 64;
-
 /// States, beliefs and profiles of one problem, as met so far.
 #[derive(Debug, Clone)]
 pub struct JointSpace {
@@ -58,43 +52,6 @@ pub struct JointSpace {
     counts: Vec<Option<SurvivorCounts>>,
     initial: Option<Node>,
     scratch: Vec<u32>,
-}
-
-/// Numbers of combinations of symbols, one of each observer.
-#[derive(Debug, Clone)]
-struct CombinationNumbers {
-    /// How many symbols each observer has, where a number can be worked out from the symbols.
-    direct: Option<Vec<u32>>,
-    /// Else those met so far, and the numbers of them.
-    met: Vec<Vec<u32>>,
-    numbers: FxHashMap<Vec<u32>, u32>,
-}
-
-impl CombinationNumbers {
-    fn number(&mut self, symbols: &[u32]) -> u32 {
-        if let Some(counts) = &self.direct {
-            return symbols
-                .iter()
-                .zip(counts)
-                .fold(0, |number, (symbol, count)| number * count + symbol);
-        }
-        if let Some(&number) = self.numbers.get(symbols) {
-            return number;
-        }
-        let number = self.met.len() as u32;
-        self.met.push(symbols.to_vec());
-        self.numbers.insert(symbols.to_vec(), number);
-        number
-    }
-
-    /// The symbol of one observer in a combination.
-    fn symbol(&self, number: u32, observer: usize) -> Symbol {
-        let Some(counts) = &self.direct else {
-            return Symbol(self.met[number as usize][observer]);
-        };
-        let behind: u32 = counts[observer + 1..].iter().product();
-        Symbol(number / behind % counts[observer])
-    }
 }
 
 impl JointSpace {
@@ -131,12 +88,8 @@ impl JointSpace {
             .iter()
             .try_fold(1_usize, |product, space| product.checked_mul(space.sensor().symbol_count()))
             .unwrap_or(usize::MAX);
-        let counts = || beliefs.iter().map(|space| space.sensor().symbol_count() as u32).collect();
-        let numbers = CombinationNumbers {
-            direct: (combinations <= DIRECT_COMBINATIONS).then(counts),
-            met: Vec::new(),
-            numbers: FxHashMap::default(),
-        };
+        let symbols = beliefs.iter().map(|space| space.sensor().symbol_count());
+        let numbers = CombinationNumbers::new(combinations, symbols);
         let goals = problem.goals().iter().map(|goal| goal.condition.clone()).collect();
         Self {
             limits,
@@ -229,19 +182,12 @@ impl JointSpace {
     pub(crate) fn believed_at_first(&mut self, observer: usize, goal: usize) -> Vec<StateId> {
         let problem = Arc::clone(&self.problem);
         let believed = &problem.observers()[observer].initial_belief;
-        let intern = |state: &State| self.states.intern(state);
-        match believed.listed() {
-            Some(list) => {
-                let mut list: Vec<StateId> = list.iter().map(intern).collect();
-                list.sort_unstable();
-                list.dedup();
-                list
-            }
-            None => {
-                let condition = &*problem.goals()[goal].condition;
-                believed.some_states([condition].into_iter()).iter().map(intern).collect()
-            }
-        }
+        let condition = &*problem.goals()[goal].condition;
+        let some = believed.some_states([condition].into_iter());
+        let mut list: Vec<StateId> = some.iter().map(|state| self.states.intern(state)).collect();
+        list.sort_unstable();
+        list.dedup();
+        list
     }
 
     /// The profile with these beliefs, one for each observer.
@@ -399,7 +345,7 @@ impl JointSpace {
         self.combine_new_edges();
         let Self { problem, limits, states, combinations, numbers, .. } = self;
         let numbers = RefCell::new(numbers);
-        let relations = || combination_relations(problem, &mut numbers.borrow_mut());
+        let relations = || numbers.borrow_mut().relations(problem);
         words.images(states, set, |edge| combinations[edge], limits, relations, found)
     }
 
@@ -459,15 +405,4 @@ impl JointSpace {
         self.counts[profile.index()] = Some(counts);
         counts
     }
-}
-
-/// The operators behind each combination of symbols.
-fn combination_relations(problem: &Problem, numbers: &mut CombinationNumbers) -> SymbolRelations {
-    let sensors: Vec<&Sensor> = problem.observers().iter().map(|o| &*o.sensor).collect();
-    let mut symbols = Vec::new();
-    SymbolRelations::joint(problem.task(), &sensors, |seen| {
-        symbols.clear();
-        symbols.extend(seen.iter().map(|symbol| symbol.0));
-        numbers.number(&symbols)
-    })
 }

@@ -3,6 +3,7 @@
 //! Definition 1 of the paper (MO-COPP), with the observers in a list, each with a role. More than
 //! one of a role is allowed: nothing but the objective asks for roles.
 
+mod combinations;
 mod joint_space;
 mod naming;
 mod tuples;

@@ -17,7 +17,7 @@ pub struct GroupOrder {
 /// How often the groups are drawn together; after about a logarithm of their number little changes.
 const ROUNDS: usize = 60;
 
-/// The most groups that all operators touch together, each operator counted for itself; of more only so many operators count.
+/// The most groups that all operators touch together, each operator counted for itself; operators beyond that do not count.
 const MOST_TOUCHED: usize = 500_000;
 
 impl GroupOrder {

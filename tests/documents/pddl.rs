@@ -607,7 +607,7 @@ fn more_than_the_loader_takes() {
         message(&document.to_string()),
         "observers.adversarial.sensor: found 1001 rules, expected at most 1000"
     );
-    // More groups of facts than a diagram has levels, and more states than anybody goes through.
+    // More groups of facts than a diagram has levels, and more states than are gone through one by one.
     let found = message(&lamps(1100));
     assert_eq!(
         found,

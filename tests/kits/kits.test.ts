@@ -316,7 +316,7 @@ print(json.dumps({name: state[name] for name in ("problem", "hide", "theme", "so
     await page.waitForFunction(
       "window.model.values.document.width === 6 && window.model.values.document.format === 'gridworld'",
     );
-    // A plan is set again after somebody walked elsewhere.
+    // A plan is set again after a walk elsewhere.
     const plan = ["north", "north"];
     const shown = (step: number) =>
       page

@@ -5,14 +5,16 @@
 //! manipulation", doi:10.1109/ICCAD.1990.129849). Nodes are interned, so that equal sets are the same number and beliefs
 //! share what they have in common. A belief of 10⁹ states can take a few hundred nodes.
 //!
-//! - [`store`]: the nodes, union, whether a conjunction of facts holds somewhere.
+//! - [`store`]: the nodes, union; `condition`: where a conjunction of facts holds.
 //! - [`relation`]: the operators behind a symbol as one relation, and the image of a set under it.
 //! - [`reachable`](mod@reachable): all states of a task.
 //! - [`measure`]: how many states a set has, in how many a fact holds, some of its states.
 
+mod condition;
 pub mod measure;
 pub mod reachable;
 pub mod relation;
+mod step;
 pub mod store;
 #[cfg(test)]
 mod tests;

@@ -6,6 +6,6 @@ export function fraction(above: number, below: number): string {
   return above < 0 ? `−${text}` : text;
 }
 
-/** Of a value that is so many goals by so many. */
+/** Of a value that is a number of goals by the number of goals less one. */
 export const difference = (value: number | null, goals: number): string =>
   fraction(Math.round((value ?? 0) * (goals - 1)), goals - 1);

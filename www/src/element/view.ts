@@ -30,6 +30,7 @@ import { LazyPanel } from "../workbench/lazy-panel.js";
 import { type WorkbenchStores, workbench } from "../workbench/workbench.js";
 import { choosePlaces } from "../worker/places.js";
 import type { Answered } from "../worker/protocol.js";
+import { AttributeChanges } from "./attribute-changes.js";
 import { AttributeMessage, manners } from "./attribute-message.js";
 import { Notifier } from "./events.js";
 import { FirstUse } from "./first-use.js";
@@ -50,7 +51,6 @@ import {
   inline,
   isOwnPage,
   keyReachOf,
-  leaveOther,
   leavesSeed,
   opensAt,
   type Part,
@@ -105,9 +105,7 @@ export class View {
   private readonly onBench: WorkbenchStores;
   private begun = false;
   /** The attributes that changed in this turn. */
-  private readonly changed = new Set<string>();
-  /** An address is taken away since another one was set: what a script gave meanwhile stays. */
-  private leaving = false;
+  private readonly changes: AttributeChanges;
   /** How often they were followed: work that is still under way then knows that other attributes came after. */
   private followed = 0;
   private following = false;
@@ -120,6 +118,7 @@ export class View {
     first: Wanted,
   ) {
     this.given = new Given(first);
+    this.changes = new AttributeChanges(host, (names) => this.followAttributes(names));
     this.question = new PageQuestion(host, this.playground);
     this.address = new Address(this.playground, host.shadowRoot !== null, (state) => this.question.refuses(state));
     this.copier = new LinkCopier(this.address);
@@ -260,18 +259,10 @@ export class View {
 
   attributeChanged(name: string): void {
     this.picture.request();
-    if ((name === "src" || name === "problem") && !this.leaving) this.given.drop();
-    // A page that changes several means all of them at once.
-    if (this.changed.size === 0) queueMicrotask(() => this.followAttributes());
-    this.changed.add(name);
+    if (this.changes.add(name) && (name === "src" || name === "problem")) this.given.drop();
   }
 
-  private followAttributes(): void {
-    this.leaving = true;
-    leaveOther(this.host, this.changed);
-    this.leaving = false;
-    const names = new Set(this.changed);
-    this.changed.clear();
+  private followAttributes(names: ReadonlySet<string>): void {
     if ([...names].some((name) => !manners.has(name))) {
       void this.settle();
       return;

@@ -3,7 +3,7 @@
 const short = new Intl.NumberFormat("en", { maximumFractionDigits: 3 });
 const whole = new Intl.NumberFormat("en", { maximumFractionDigits: 0 });
 
-/** More candidate goals than this make fractions that nobody reads. */
+/** More candidate goals than this make fractions that are hard to read. */
 const LARGEST_BELOW = 999;
 
 /**
