@@ -193,6 +193,7 @@ impl Form {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::Value as StateValue;
 
     fn goals(arity: Arity) -> Form {
         Form::named(arity, "goal", ["G1", "G2", "G3"])
@@ -223,6 +224,19 @@ mod tests {
             facts.read(&facts.in_words(&facts.answer([0]).unwrap())).unwrap().choices(),
             [0]
         );
+        let robot = |row| {
+            StateLabel::Parts(vec![
+                ("robot", StateValue::Cell(0, row)),
+                ("battery", StateValue::Number(2)),
+            ])
+        };
+        let robots = Form { arity: Arity::Set, choice: "state", choices: vec![robot(0), robot(1)] };
+        let words = robots.in_words(&robots.answer([0, 1]).unwrap());
+        assert_eq!(
+            words,
+            "{robot column 0, row 0 · battery 2}; {robot column 0, row 1 · battery 2}"
+        );
+        assert_eq!(robots.read(&words).unwrap().choices(), [0, 1]);
         assert_eq!(
             cells.read("row 1").unwrap_err().to_string(),
             "answer[0]: found \"row 1\", expected a cell of column 1, row 2"

@@ -65,8 +65,8 @@ impl std::fmt::Display for StateLabel {
             Self::Name(name) => f.write_str(name),
             Self::Facts(facts) => write!(f, "{{{}}}", facts.join(", ")),
             Self::Parts(parts) => {
-                // A cell in words has a comma itself.
-                let between = if f.alternate() { ", " } else { "; " };
+                // A cell in words has a comma itself, and semicolons stand between states.
+                let between = if f.alternate() { ", " } else { " · " };
                 f.write_str("{")?;
                 for (place, (key, value)) in parts.iter().enumerate() {
                     write!(f, "{}{key} ", if place == 0 { "" } else { between })?;

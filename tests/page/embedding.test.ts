@@ -429,6 +429,6 @@ test("the documentation names every attribute, part, event and gallery problem's
   const settings = readFileSync(new URL("../../www/src/element/settings.ts", import.meta.url), "utf8");
   const parts = /export const parts = \[([^\]]+)\]/.exec(settings)?.[1]?.match(/\w+/g) ?? [];
   assert(parts.length > 0, "no parts were found");
-  for (const name of [...attributes, ...parts]) assert(text.includes(`\`${name}`), name);
+  for (const name of [...attributes, ...parts]) assert(text.includes(`\`${name}\``), name);
   for (const name of ["mo-copp-step", "mo-copp-outcome", "www/problems/", "link"]) assert(text.includes(name), name);
 });
