@@ -2,12 +2,15 @@
 //! situation.
 
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::sync::Arc;
 
-use mo_copp::solver::{Options, Outcome, Solver, Status, UpperBound, upper_bounds};
+use mo_copp::solver::{Horizon, Options, Outcome, Solver, Status, UpperBound, solve, upper_bounds};
 
 use crate::common::random::{self, MEDIUM, PAIR, Size};
 use crate::common::table::{Table, Watcher, set};
 use crate::common::{Dice, Judge, Wish, oracle};
+use crate::golden::replay;
 use crate::search;
 
 /// Pairs of counts with the shortest plan for each.
@@ -165,6 +168,20 @@ fn over_all_lengths_on_larger_problems() {
         for solver in search::SOLVERS {
             search::agrees(&judge, solver, None, &wish);
         }
+    }
+}
+
+/// Logistics drawn, whose shortest plans are about as long as the horizon: hundreds of thousands of states
+/// can be met within it, and few of them lie on a plan. The values are those of an exhaustive search by layers.
+#[test]
+fn a_tight_horizon_is_proved_where_states_are_many() {
+    for (seed, horizon, value) in [(2, 25, 0.75), (17, 20, 0.0), (29, 26, 0.25)] {
+        let problem = Arc::new(replay::draw("logistics", seed).problem().unwrap());
+        let options = Options::new(Solver::Exact).with_horizon(Horizon::Steps(horizon));
+        let outcome = solve(problem, options, |_| ControlFlow::Continue(())).unwrap();
+        let found = (outcome.status, outcome.goal_difference);
+        assert_eq!(found, (Status::Optimal, Some(value)), "{seed}");
+        assert!(outcome.stats.expansions < 10_000, "{seed}: {}", outcome.stats.expansions);
     }
 }
 

@@ -2,13 +2,17 @@
 
 use fixedbitset::FixedBitSet;
 
+use super::projections::Projections;
 use crate::limits::LimitReached;
 use crate::problem::JointSpace;
 use crate::task::StateId;
 
-/// States listed for endings, at most. Above, the horizon is kept by estimates alone, which leaves
-/// out less: a plan of just this length may need another parity of steps than the estimates see.
-const MOST_STATES: usize = 400_000;
+/// The part of the memory limit that listing states for endings may take: a quarter. Above, the
+/// horizon is kept by estimates alone, which leaves out less: a plan of just this length may need
+/// another parity of steps than the estimates see.
+const PART_OF_MEMORY: u64 = 4;
+/// States expanded between two looks at the memory.
+const STATES_BETWEEN_CHECKS: usize = 1024;
 
 /// For each number of actions left, the states from which the true goal is that far, exactly.
 #[derive(Debug)]
@@ -17,14 +21,16 @@ pub(in crate::solver) struct Endings {
 }
 
 impl Endings {
-    /// Forward from the initial state as far as the horizon, then back from the goal: linear in the
-    /// horizon times the transitions. None where too many states are met.
+    /// Forward from the initial state as far as the horizon, without the states from which the goal is
+    /// farther than that by [projections](Projections), then back from the goal: linear in the horizon
+    /// times the transitions. None where too many states are met.
     pub(in crate::solver) fn new(
         joint: &mut JointSpace,
         horizon: usize,
     ) -> Result<Option<Self>, LimitReached> {
         let start = joint.initial().state;
         let limits = *joint.limits();
+        let projections = Projections::new(joint.problem());
         let mut depths: Vec<u32> = vec![0; start.index() + 1];
         let mut layer = vec![start];
         let mut met = FixedBitSet::new();
@@ -32,19 +38,23 @@ impl Endings {
         let mut reached = vec![start];
         for step in 1..=horizon {
             let mut next = Vec::new();
-            for &state in &layer {
+            for (number, &state) in layer.iter().enumerate() {
+                if number % STATES_BETWEEN_CHECKS == 0
+                    && joint.bytes() > limits.bytes / PART_OF_MEMORY
+                {
+                    return Ok(None);
+                }
                 joint.states_mut().expand(state);
                 for edge in joint.states().edges(state) {
                     if edge.target.index() >= met.len() || !met[edge.target.index()] {
                         met.grow_and_insert(edge.target.index());
-                        next.push(edge.target);
+                        let least = projections.least(joint.states(), edge.target);
+                        if least.is_some_and(|least| least <= (horizon - step) as u64) {
+                            next.push(edge.target);
+                        }
                     }
                 }
             }
-            if reached.len() + next.len() > MOST_STATES {
-                return Ok(None);
-            }
-            limits.check_bytes(joint.bytes())?;
             if next.is_empty() {
                 break;
             }

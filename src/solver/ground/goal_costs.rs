@@ -4,10 +4,10 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::goal_distances::{Combine, GoalDistances, NEVER as NO_DISTANCE};
+use super::projections::Projections;
 use crate::limits::LimitReached;
-use crate::problem::{JointSpace, Problem};
-use crate::task::{Operator, StateId, StateSpace};
+use crate::problem::JointSpace;
+use crate::task::{StateId, StateSpace};
 
 /// The cost of a state from which the true goal cannot be reached.
 const NEVER: u64 = u64::MAX;
@@ -20,53 +20,9 @@ const MOST_STATES: usize = 200_000;
 pub(in crate::solver) enum GoalCosts {
     /// The true ones, by state.
     Listed(Vec<u64>),
-    /// Estimates that are never more, where the state space is too large to go through first.
-    Projected(Box<Projections>),
-}
-
-/// Estimates from [atomic projections](GoalDistances), each action at the price of the cheapest.
-#[derive(Debug)]
-pub(in crate::solver) struct Projections {
-    goal: usize,
-    largest: GoalDistances,
-    sum: GoalDistances,
-    /// The most groups of the goal's facts that an operator changes: it brings the sum down by no more
-    /// (uniform cost partitioning: Katz and Domshlak 2010, on abstractions).
-    changed: u64,
-    cheapest: u64,
-}
-
-impl Projections {
-    fn new(problem: &Problem, memory: u64) -> Self {
-        let task = problem.task();
-        let group = |fact| task.layout().group(fact);
-        let wanted: Vec<usize> = task.goal().iter().map(|fact| group(*fact)).collect();
-        let changed = |operator: &Operator| {
-            let effects = operator.add.iter().chain(&operator.delete);
-            let mut groups: Vec<usize> = effects.map(|fact| group(*fact)).collect();
-            groups.sort_unstable();
-            groups.dedup();
-            groups.iter().filter(|group| wanted.contains(group)).count() as u64
-        };
-        let operators = task.operators();
-        Self {
-            goal: problem.true_goal(),
-            largest: GoalDistances::new(problem, Combine::Max, memory),
-            sum: GoalDistances::new(problem, Combine::Sum, memory),
-            changed: operators.iter().map(changed).max().unwrap_or(1).max(1),
-            cheapest: operators.iter().map(|op| task.step_cost(op.action)).min().unwrap_or(0),
-        }
-    }
-
-    fn least(&self, states: &StateSpace, state: StateId) -> Option<u64> {
-        let of = |distances: &GoalDistances| distances.measured(states, state)[self.goal];
-        let (largest, sum) = (of(&self.largest), of(&self.sum));
-        if largest == NO_DISTANCE {
-            return None;
-        }
-        let steps = u64::from(largest).max(u64::from(sum).div_ceil(self.changed));
-        Some(steps.saturating_mul(self.cheapest))
-    }
+    /// Estimates that are never more, each step at the price of the cheapest action, where the state
+    /// space is too large to go through first.
+    Projected { steps: Box<Projections>, cheapest: u64 },
 }
 
 impl GoalCosts {
@@ -87,8 +43,11 @@ impl GoalCosts {
         let mut index = 0;
         while index < joint.states().len() {
             if joint.states().len() > most {
-                let projections = Projections::new(joint.problem(), limits.bytes);
-                return Ok(Self::Projected(Box::new(projections)));
+                let task = joint.problem().task();
+                let prices = task.operators().iter().map(|op| task.step_cost(op.action));
+                let cheapest = prices.min().unwrap_or(0);
+                let steps = Box::new(Projections::new(joint.problem()));
+                return Ok(Self::Projected { steps, cheapest });
             }
             joint.states_mut().expand(StateId(index as u32));
             index += 1;
@@ -134,7 +93,9 @@ impl GoalCosts {
     pub(in crate::solver) fn least(&self, states: &StateSpace, state: StateId) -> Option<u64> {
         match self {
             Self::Listed(costs) => listed(costs, state),
-            Self::Projected(projections) => projections.least(states, state),
+            Self::Projected { steps, cheapest } => {
+                Some(steps.least(states, state)?.saturating_mul(*cheapest))
+            }
         }
     }
 
@@ -143,7 +104,7 @@ impl GoalCosts {
     pub(in crate::solver) fn may_reach(&self, state: StateId) -> bool {
         match self {
             Self::Listed(costs) => listed(costs, state).is_some(),
-            Self::Projected(_) => true,
+            Self::Projected { .. } => true,
         }
     }
 
@@ -151,7 +112,7 @@ impl GoalCosts {
     pub(in crate::solver) fn bytes(&self) -> u64 {
         match self {
             Self::Listed(costs) => 8 * costs.len() as u64,
-            Self::Projected(projections) => projections.largest.bytes() + projections.sum.bytes(),
+            Self::Projected { steps, .. } => steps.bytes(),
         }
     }
 }
@@ -190,7 +151,7 @@ mod tests {
             let mut joint = JointSpace::new(problem, Limits::default());
             let costs = GoalCosts::listing(&mut joint, usize::MAX).unwrap();
             let projected = GoalCosts::listing(&mut joint, 0).unwrap();
-            assert!(matches!(projected, GoalCosts::Projected(_)));
+            assert!(matches!(projected, GoalCosts::Projected { .. }));
             for index in 0..joint.states().len() {
                 let state = StateId(index as u32);
                 let least = costs.least(joint.states(), state);

@@ -122,27 +122,33 @@ impl GoalDistances {
         (self.states.len() + rows) as u64
     }
 
-    /// The distance of each goal from a state, worked out anew.
-    pub(in crate::solver) fn measured(&self, states: &StateSpace, state: StateId) -> Vec<u8> {
-        let mut row = Vec::with_capacity(self.goals.len());
-        self.measure(states.task(), states.words(state), &mut row);
-        row
+    /// How many goals there are.
+    pub(in crate::solver) fn goals(&self) -> usize {
+        self.goals.len()
     }
 
-    fn measure(&self, task: &Task, words: &[u64], row: &mut Vec<u8>) {
-        for goal in 0..self.goals.len() {
-            let mut total = 0_u32;
-            for &table in &self.goals[goal] {
-                let table = &self.tables[table as usize];
-                let value = task.layout().group_value(words, table.group);
-                total = match (table.distances[value], self.combine) {
-                    (None, _) => u32::MAX,
-                    (Some(distance), Combine::Sum) => total.saturating_add(distance),
-                    (Some(distance), Combine::Max) => total.max(distance),
-                };
-            }
-            row.push(if total == u32::MAX { NEVER } else { total.min(FARTHEST) as u8 });
+    /// The distance of a goal from a state, worked out anew.
+    pub(in crate::solver) fn measured(
+        &self,
+        states: &StateSpace,
+        state: StateId,
+        goal: usize,
+    ) -> u8 {
+        self.measure(states.task(), states.words(state), goal)
+    }
+
+    fn measure(&self, task: &Task, words: &[u64], goal: usize) -> u8 {
+        let mut total = 0_u32;
+        for &table in &self.goals[goal] {
+            let table = &self.tables[table as usize];
+            let value = task.layout().group_value(words, table.group);
+            total = match (table.distances[value], self.combine) {
+                (None, _) => return NEVER,
+                (Some(distance), Combine::Sum) => total.saturating_add(distance),
+                (Some(distance), Combine::Max) => total.max(distance),
+            };
         }
+        total.min(FARTHEST) as u8
     }
 
     /// Works out the rows of all states met so far, as long as there is room.
@@ -152,7 +158,8 @@ impl GoalDistances {
         let mut rows = std::mem::take(&mut self.states);
         while rows.len() + width <= self.room && rows.len() < width * states.len() {
             let state = StateId((rows.len() / width) as u32);
-            self.measure(states.task(), states.words(state), &mut rows);
+            let words = states.words(state);
+            rows.extend((0..width).map(|goal| self.measure(states.task(), words, goal)));
         }
         self.states = rows;
     }

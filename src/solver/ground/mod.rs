@@ -3,6 +3,7 @@
 //! - [`transition_graphs`] are the domain transition graphs of the groups of exclusive facts,
 //! - [`endings`] are the states from which a plan can end after exactly so many more actions,
 //! - [`dead_ends`] are the states from which the true goal cannot be reached,
+//! - [`projections`] say how many steps the way to the true goal has at least,
 //! - [`goal_costs`] are the least costs from states to the true goal,
 //! - [`stages`] are what the way to a node has used up of a horizon and of a cost limit,
 //! - [`shortest_length`] is the length of a shortest plan for the true goal,
@@ -22,6 +23,7 @@ pub(in crate::solver) mod final_beliefs;
 pub(in crate::solver) mod goal_costs;
 pub(in crate::solver) mod goal_distances;
 pub(in crate::solver) mod graph;
+pub(in crate::solver) mod projections;
 pub(in crate::solver) mod search_tree;
 pub(in crate::solver) mod shortest_length;
 pub(in crate::solver) mod stages;

@@ -11,6 +11,7 @@ use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Role};
 use crate::solver::ground::endings::Endings;
 use crate::solver::ground::goal_distances::{self, Combine, GoalDistances};
+use crate::solver::ground::projections;
 use crate::task::StateId;
 
 /// There is no such plan.
@@ -25,6 +26,8 @@ pub(super) struct Estimates {
     /// No plan is worth more.
     pub most: i64,
     nearest: Vec<u32>,
+    /// By goal: how many of its facts one step can bring nearer.
+    changed: Vec<u32>,
     /// Tables over pairs of states, where they have been made.
     pub pairs: Option<Box<Pairs>>,
 }
@@ -42,7 +45,8 @@ impl Estimates {
             None => None,
         };
         let distances = GoalDistances::new(joint.problem(), Combine::Max, memory);
-        Ok(Self { distances, endings, most, nearest: Vec::new(), pairs: None })
+        let changed = projections::changed_at_once(joint.problem());
+        Ok(Self { distances, endings, most, nearest: Vec::new(), changed, pairs: None })
     }
 
     /// Lists all states for their true distances; false where that would take too much.
@@ -111,6 +115,10 @@ impl Estimates {
             }
         };
         let mut least = row.map_or(0, |row| steps(row[true_goal]));
+        match space.distance(actor, node) {
+            Some(sum) => least = least.max(sum.div_ceil(self.changed[true_goal])),
+            None => return NEVER,
+        }
         // With one survivor for the friends, an aim takes so many for the enemies.
         let needed = (aim + 1).max(space.bounds.at_least.unwrap_or(1) as i64).max(1);
         for (observer, watched) in problem.observers().iter().enumerate() {
@@ -128,8 +136,13 @@ impl Estimates {
                 bounds.forbidden.iter().any(|w| w.observer == observer && w.goal == goal)
             };
             self.nearest.clear();
-            let allowed = row.iter().enumerate().filter(|(goal, _)| !forbidden(*goal));
-            self.nearest.extend(allowed.map(|(_, distance)| steps(*distance)));
+            let sums = space.guide.of_belief(observer, belief, members);
+            let allowed = row.iter().zip(sums).enumerate().filter(|(goal, _)| !forbidden(*goal));
+            let changed = &self.changed;
+            self.nearest.extend(allowed.map(|(goal, (largest, sum))| match steps(*sum) {
+                NEVER => NEVER,
+                sum => steps(*largest).max(sum.div_ceil(changed[goal])),
+            }));
             self.nearest.sort_unstable();
             let last = self.nearest.get(needed as usize - 1).copied().unwrap_or(NEVER);
             least = least.max(last);

@@ -43,7 +43,10 @@ impl Keep for Nearest {
         if found.len() <= by_goal * self.goals + spread {
             return;
         }
-        let measured = |&state: &StateId| self.distances.measured(states, state);
+        let goals = self.distances.goals();
+        let measured = |&state: &StateId| {
+            (0..goals).map(|goal| self.distances.measured(states, state, goal)).collect()
+        };
         let rows: Vec<Vec<u8>> = found.iter().map(measured).collect();
         let distance = |place: usize, goal: usize| rows[place][goal];
         let mut kept = FixedBitSet::with_capacity(found.len());
