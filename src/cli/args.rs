@@ -45,7 +45,7 @@ pub enum Command {
     Picture(PictureArgs),
     /// Print a random problem document.
     Generate(GenerateArgs),
-    /// Make a document of a goal-recognition problem.
+    /// Make a document of a goal-recognition problem or a competition task.
     Import(ImportArgs),
     /// Print what an observer of a PDDL document sees as a table in CSV, or put such a table into the document.
     Sensor(SensorArgs),
@@ -100,20 +100,36 @@ pub struct ManualArgs {
     pub command: Option<String>,
 }
 
-/// Make a document of a goal-recognition problem.
+/// Make a document of a goal-recognition problem or a competition task.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 FOLDER or ARCHIVE (.tar.bz2, .tar.gz, .tar, .zip) holds domain.pddl, template.pddl, hyps.dat, real_hyp.dat
 and perhaps obs.dat, as in the goal-recognition literature.
 
+A competition task has one goal, which becomes the true one, G1. G2, G3, … are the same goal with its objects in each
+other's places, those of one type among themselves. A FOLDER with tasks gives a document for each of them: one a
+line, or a file for each in the folder --out. The domain of a task in a folder is domain.pddl beside it, or
+domain02.pddl for p02.pddl.
+
 Examples:
   mo-copp import block-words_p01 > blocks.json
   mo-copp import problem.tar.bz2 --true-goal 3 --out blocks.json --plan-out plan.txt
-  mo-copp import problem.zip --all --out documents")]
+  mo-copp import problem.zip --all --out documents
+  mo-copp import domain.pddl p07.pddl --candidates 5 --seed 1 --out p07.json
+  mo-copp import logistics --out documents")]
 pub struct ImportArgs {
-    /// A folder or an archive with the files of one problem.
-    #[arg(value_name = "FOLDER|ARCHIVE")]
+    /// A folder or an archive with the files of one problem, the domain of a task, or a folder with tasks.
+    #[arg(value_name = "FOLDER|ARCHIVE|DOMAIN.pddl")]
     pub source: PathBuf,
+    /// A competition task.
+    #[arg(value_name = "TASK.pddl")]
+    pub task: Option<PathBuf>,
+    /// How many candidate goals a task has [default: 5].
+    #[arg(long, value_name = "N")]
+    pub candidates: Option<usize>,
+    /// The seed of those that are not the goal of the task [default: 1].
+    #[arg(long, value_name = "S")]
+    pub seed: Option<u64>,
     /// What the enemy sees of each action: a template of symbols.
     #[arg(long, value_name = "TEMPLATE", default_value = "{name}")]
     pub adversarial_sensor: String,
@@ -132,7 +148,7 @@ pub struct ImportArgs {
     /// One document for each hypothesis as true goal: one a line, or files G1.json, G2.json, … in the folder --out.
     #[arg(long)]
     pub all: bool,
-    /// Where to write the document, instead of the standard output; with --all a folder.
+    /// Where to write the document, instead of the standard output; with --all or a folder of tasks a folder.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Where to write the actions of obs.dat as a plan for trace --plan-file, if they are a whole plan for the true goal.

@@ -1,6 +1,7 @@
 //! Atoms: a predicate with terms in the places of its parameters.
 
 use super::cost::Functions;
+use super::domain::Domain;
 use super::error::PddlError;
 use super::expression::{Expression, Expressions};
 use super::object::{ObjectId, Objects};
@@ -33,6 +34,18 @@ pub struct Atom {
     pub predicate: PredicateId,
     /// Its objects.
     pub objects: Box<[ObjectId]>,
+}
+
+impl Atom {
+    /// As PDDL writes it, with the names of a domain and of objects over it.
+    pub fn written(&self, domain: &Domain, objects: &Objects) -> String {
+        let mut text = "(".to_owned() + domain.predicates.name(self.predicate);
+        for &object in &self.objects {
+            text.push(' ');
+            text.push_str(objects.name(object));
+        }
+        text + ")"
+    }
 }
 
 /// The names that a condition or an effect may use.

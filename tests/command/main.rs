@@ -11,6 +11,7 @@ mod experiment;
 mod gallery;
 mod generate;
 mod import;
+mod import_task;
 mod interrupt;
 mod picture;
 mod plan;

@@ -7,6 +7,7 @@ mod explicit;
 mod fuzz;
 mod gridworld;
 mod import;
+mod import_task;
 mod json;
 mod names;
 pub mod pddl;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
-use mo_copp::domain::pddl::import::ImportOptions;
+use mo_copp::domain::pddl::import::{CandidateOptions, ImportOptions};
 use mo_copp::experiment::benchmarks::{BenchmarkLimits, Benchmarks};
 use mo_copp::experiment::{Figure, InitialBeliefs, Setting, SettingLimits, Shard};
 use mo_copp::solver::Solver;
@@ -19,6 +19,7 @@ Examples:
   mo-copp experiment fig4 --problems 5 --domain blocksworld --out try
   mo-copp experiment fig3 --shard 2/8 --jobs 1 --out shared
   mo-copp experiment benchmarks goal-recognition --time-limit 20
+  mo-copp experiment benchmarks competition --candidates 5 --seed 1 --out tasks
   mo-copp experiment merge shared/records-*-of-8.jsonl --out shared
 
 Exit codes: 0 all records are there, 2 bad input or usage, 3 stopped before the end.")]
@@ -35,7 +36,7 @@ pub enum ExperimentCommand {
     Fig3(RunArgs<PaperArgs>),
     /// Figure 4: the search against obfuscation alone and legibility alone on three IPC domains.
     Fig4(RunArgs<BeliefArgs>),
-    /// Solvers on every goal-recognition problem and document below a folder.
+    /// Solvers on every goal-recognition problem, competition task and document below a folder.
     Benchmarks(BenchmarkArgs),
     /// Put the records of all shards together, and write tables and figures.
     Merge(MergeArgs),
@@ -118,7 +119,9 @@ pub struct PaperArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 A problem is a folder with template.pddl or hyps.dat in it (Ramírez and Geffner's layout), an archive of one
-(.tar, .tar.gz, .tgz, .tar.bz2, .tbz2, .zip) or a document (.json), anywhere below FOLDER; links to folders are not followed.
+(.tar, .tar.gz, .tgz, .tar.bz2, .tbz2, .zip), a competition task (.pddl) with its domain beside it (domain.pddl, or domain02.pddl
+for p02.pddl) or a document (.json), anywhere below FOLDER; links to folders are not followed. The candidate goals of a task are
+its goal and others in which the objects of the goal change places, as import makes them.
 Its domain is the folder directly below FOLDER that it is in. One that cannot be read has records with the reason.")]
 pub struct BenchmarkArgs {
     /// The folder with the problems.
@@ -139,6 +142,12 @@ pub struct BenchmarkArgs {
     /// The symbol that the friend sees.
     #[arg(long, value_name = "TEMPLATE", default_value_t = ImportOptions::default().cooperative_sensor)]
     pub cooperative_sensor: String,
+    /// How many candidate goals a competition task has.
+    #[arg(long, value_name = "N", default_value_t = CandidateOptions::default().candidates)]
+    pub candidates: usize,
+    /// The seed of those that are not the goal of the task.
+    #[arg(long, value_name = "S", default_value_t = CandidateOptions::default().seed)]
+    pub seed: u64,
     /// The folder for records and tables.
     #[arg(long, value_name = "DIR", default_value = "results/benchmarks")]
     pub out: PathBuf,
@@ -198,6 +207,11 @@ impl std::str::FromStr for TimeLimit {
 }
 
 impl BenchmarkArgs {
+    /// The candidate goals of tasks.
+    pub fn candidates(&self) -> CandidateOptions {
+        CandidateOptions { candidates: self.candidates, seed: self.seed }
+    }
+
     /// What the run is about, its problems left out.
     pub fn benchmarks(&self) -> Benchmarks {
         let solvers = match self.solver.as_slice() {
@@ -211,6 +225,7 @@ impl BenchmarkArgs {
             j: self.j,
             adversarial_sensor: self.adversarial_sensor.clone(),
             cooperative_sensor: self.cooperative_sensor.clone(),
+            tasks: self.candidates(),
             limits: BenchmarkLimits {
                 memory_mib: self.memory_limit,
                 expansions: self.expansions,

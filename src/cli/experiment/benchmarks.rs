@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use mo_copp::domain::Document;
-use mo_copp::domain::pddl::import::{ImportOptions, import};
+use mo_copp::domain::pddl::import::{CandidateOptions, ImportOptions, import};
 use mo_copp::experiment::benchmarks::{
     Benchmark, BenchmarkRecord, BenchmarkRun, BenchmarkSummary, Benchmarks, tables, write,
 };
@@ -15,7 +15,7 @@ use super::child::Children;
 use super::find::{Kind, find, kind, place};
 use super::{Part, made, part};
 use crate::cli::error::CliError;
-use crate::cli::import::files;
+use crate::cli::import::{files, task};
 use crate::cli::{LIMIT, input, interrupt, note, print};
 
 /// Runs; the exit code.
@@ -43,7 +43,7 @@ fn child(args: &BenchmarkArgs, mut benchmarks: Benchmarks, path: &str) -> Result
         cooperative_sensor: benchmarks.cooperative_sensor.clone(),
         ..ImportOptions::default()
     };
-    let read = |path: &str| read(&args.folder, path, &options);
+    let read = |path: &str| read(&args.folder, path, &options, args.candidates());
     let solving = BenchmarkRun { benchmarks: &benchmarks, read };
     let bytes = args.child_bytes.unwrap_or_else(|| solving.memory_mib() << 20);
     let stop = interrupt::stop();
@@ -73,12 +73,24 @@ pub fn conclude(
 }
 
 /// The document of a problem; why not, with names as they are below the folder.
-fn read(folder: &Path, path: &str, options: &ImportOptions) -> Result<Document, String> {
+fn read(
+    folder: &Path,
+    path: &str,
+    options: &ImportOptions,
+    candidates: CandidateOptions,
+) -> Result<Document, String> {
     let place = place(folder, path);
     let read = || match kind(&place) {
         Some(Kind::Document) => input::document_alone(&place),
+        Some(Kind::Task(files)) => Ok(task::read(&files, options, candidates)?.document.into()),
         _ => Ok(import(&files(&place)?, options)?.document.into()),
     };
-    let below = |error: CliError| error.to_string().replace(&place.display().to_string(), path);
+    // The domain of a task is in the folder of the task.
+    let shown = |place: &Path| place.display().to_string();
+    let of_parent = |error: String| match (place.parent(), path.rsplit_once('/')) {
+        (Some(parent), Some((above, _))) => error.replace(&shown(parent), above),
+        _ => error,
+    };
+    let below = |error: CliError| of_parent(error.to_string().replace(&shown(&place), path));
     read().map_err(below)
 }

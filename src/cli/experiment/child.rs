@@ -48,7 +48,7 @@ enum End {
 impl Children<'_> {
     /// The command for a job.
     fn command(&self, job: &BenchmarkJob, bytes: u64) -> std::io::Result<Command> {
-        let Benchmarks { k, j, adversarial_sensor, cooperative_sensor, limits, .. } =
+        let Benchmarks { k, j, adversarial_sensor, cooperative_sensor, tasks, limits, .. } =
             self.benchmarks;
         let mut command = Command::new(std::env::current_exe()?);
         let option = |name: &str, value: &dyn std::fmt::Display| format!("--{name}={value}");
@@ -61,6 +61,8 @@ impl Children<'_> {
         command.args(j.map(|j| option("j", &j)));
         command.arg(option("adversarial-sensor", adversarial_sensor));
         command.arg(option("cooperative-sensor", cooperative_sensor));
+        command.arg(option("candidates", &tasks.candidates));
+        command.arg(option("seed", &tasks.seed));
         command.arg(option("memory-limit", &limits.memory_mib));
         command.args(limits.expansions.map(|expansions| option("expansions", &expansions)));
         let seconds = limits.seconds.map_or_else(|| "none".to_owned(), |n| n.to_string());

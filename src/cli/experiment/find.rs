@@ -9,15 +9,19 @@ use mo_copp::experiment::benchmarks::Benchmark;
 use sha2::{Digest, Sha256};
 
 use crate::cli::error::CliError;
+use crate::cli::import::task_files::{self, TaskFiles};
+use crate::cli::import::{is_layout, named};
 use crate::cli::input;
 
 /// What a problem is written in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Kind {
     /// A folder in Ramírez and Geffner's layout.
     Folder,
     /// An archive of one.
     Archive,
+    /// A competition task with its domain beside it.
+    Task(TaskFiles),
     /// A document of ours.
     Document,
 }
@@ -27,9 +31,6 @@ const ARCHIVES: [&str; 6] = [".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".z
 
 /// The ends of names of documents.
 const DOCUMENTS: [&str; 1] = [".json"];
-
-/// A folder with one of these is a problem: others may have a domain too.
-const MARKS: [&str; 3] = ["template.pddl", "hyps.dat", "real_hyp.dat"];
 
 /// How much of a digest is kept, in bytes.
 const DIGEST_BYTES: usize = 8;
@@ -45,20 +46,18 @@ pub fn place(folder: &Path, path: &str) -> PathBuf {
 /// What kind of problem is there; none where there is none.
 pub fn kind(place: &Path) -> Option<Kind> {
     if place.is_dir() {
-        return MARKS.iter().any(|mark| named(place, mark).is_some()).then_some(Kind::Folder);
+        return is_layout(place).then_some(Kind::Folder);
     }
     let name = place.file_name()?.to_string_lossy().to_ascii_lowercase();
     if ARCHIVES.iter().any(|end| name.ends_with(end)) {
         return Some(Kind::Archive);
     }
-    DOCUMENTS.iter().any(|end| name.ends_with(end)).then_some(Kind::Document)
-}
-
-/// The file of a name in a folder, whatever its capitals.
-fn named(folder: &Path, name: &str) -> Option<PathBuf> {
-    let mut entries = fs::read_dir(folder).ok()?.flatten();
-    let entry = entries.find(|entry| entry.file_name().eq_ignore_ascii_case(name))?;
-    Some(entry.path())
+    if DOCUMENTS.iter().any(|end| name.ends_with(end)) {
+        return Some(Kind::Document);
+    }
+    // The template of a goal-recognition problem is no task.
+    let files = task_files::task(place).filter(|_| !place.parent().is_some_and(is_layout))?;
+    Some(Kind::Task(files))
 }
 
 /// All problems below a folder, by their paths. Hidden files and links to folders are passed over; a
@@ -77,9 +76,10 @@ pub fn find(folder: &Path) -> Result<Vec<Benchmark>, CliError> {
     while let Some((place, parts)) = left.pop() {
         let path = if parts.is_empty() { ITSELF.to_owned() } else { parts.join("/") };
         let listed = place.is_dir().then(|| fs::read_dir(&place));
-        if kind(&place).is_some() || matches!(listed, Some(Err(_))) {
+        let kind = kind(&place);
+        if kind.is_some() || matches!(listed, Some(Err(_))) {
             let domain = if parts.len() > 1 { parts[0].clone() } else { own.clone() };
-            let digest = digest(&place);
+            let digest = digest(&place, kind.as_ref());
             found.insert(path.clone(), Benchmark { path, domain, digest });
         }
         let Some(Ok(entries)) = listed else { continue };
@@ -93,20 +93,20 @@ pub fn find(folder: &Path) -> Result<Vec<Benchmark>, CliError> {
         }
     }
     if found.is_empty() {
-        let reason = "found no problem below it, expected a folder with template.pddl or hyps.dat, an \
-                      archive or a document (.json)";
+        let reason = "found no problem below it, expected a folder with template.pddl or hyps.dat, a \
+                      task with its domain.pddl beside it, an archive or a document (.json)";
         return Err(failed(reason.to_owned()));
     }
     Ok(found.into_values().collect())
 }
 
 /// A digest of what the files of a problem hold; files that cannot be read count as empty.
-fn digest(place: &Path) -> String {
+fn digest(place: &Path, kind: Option<&Kind>) -> String {
     let mut digest = Sha256::new();
-    let files: Vec<PathBuf> = if place.is_dir() {
-        FILES.iter().filter_map(|name| named(place, name)).collect()
-    } else {
-        vec![place.to_owned()]
+    let files: Vec<PathBuf> = match kind {
+        Some(Kind::Task(TaskFiles { domain, task })) => vec![domain.clone(), task.clone()],
+        _ if place.is_dir() => FILES.iter().filter_map(|name| named(place, name)).collect(),
+        _ => vec![place.to_owned()],
     };
     for file in files {
         let bytes = input::bytes(&file).unwrap_or_default();

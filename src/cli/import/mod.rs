@@ -1,8 +1,10 @@
-//! `mo-copp import`: makes documents of goal-recognition problems.
+//! `mo-copp import`: makes documents of goal-recognition problems and of competition tasks.
 
 mod archive;
+pub mod task;
+pub mod task_files;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use mo_copp::domain::Document;
 use mo_copp::domain::pddl::import::{
@@ -17,7 +19,6 @@ use super::{input, print};
 
 /// Imports and prints or writes; the exit code.
 pub fn run(args: &ImportArgs) -> Result<u8, CliError> {
-    let files = files(&args.source)?;
     let options = ImportOptions {
         adversarial_sensor: args.adversarial_sensor.clone(),
         cooperative_sensor: args.cooperative_sensor.clone(),
@@ -25,10 +26,27 @@ pub fn run(args: &ImportArgs) -> Result<u8, CliError> {
         cooperative_groups: groups(&args.cooperative_group, "cooperative-group")?,
         true_goal: args.true_goal,
     };
-    if args.all {
-        return all(args, &files, &options);
+    if let Some(tasks) = task_files::given(&args.source, args.task.as_deref())? {
+        return task::run(args, &tasks, &options);
     }
-    let imported = import(&files, &options)?;
+    goal_recognition(args, &options)
+}
+
+/// Imports a problem of the goal-recognition literature.
+fn goal_recognition(args: &ImportArgs, options: &ImportOptions) -> Result<u8, CliError> {
+    if args.candidates.is_some() || args.seed.is_some() {
+        let option = if args.candidates.is_some() { "candidates" } else { "seed" };
+        return Err(unfit(
+            option,
+            "a problem with hypotheses",
+            "a task, as in DOMAIN.pddl TASK.pddl",
+        ));
+    }
+    let files = files(&args.source)?;
+    if args.all {
+        return all(args, &files, options);
+    }
+    let imported = import(&files, options)?;
     note(&imported.notes);
     let text = Document::from(imported.document.clone()).to_json() + "\n";
     match &args.out {
@@ -39,6 +57,11 @@ pub fn run(args: &ImportArgs) -> Result<u8, CliError> {
         plan(&imported, out)?;
     }
     Ok(0)
+}
+
+/// An option that does not fit what is imported.
+fn unfit(option: &'static str, found: &str, expected: &str) -> CliError {
+    mo_copp::solver::OptionsError::new(option, found, expected).into()
 }
 
 /// A document for each hypothesis: files in a folder, or one a line.
@@ -59,11 +82,7 @@ fn all(args: &ImportArgs, files: &[ImportFile], options: &ImportOptions) -> Resu
         let document = Document::from(imported.document);
         match &args.out {
             Some(folder) => {
-                let failed = |error: std::io::Error| CliError::Read {
-                    file: folder.display().to_string(),
-                    reason: error.to_string(),
-                };
-                std::fs::create_dir_all(folder).map_err(failed)?;
+                make(folder)?;
                 write(&folder.join(format!("{name}.json")), &(document.to_json() + "\n"))?;
             }
             None => lines += &(serde_json::to_string(&document).unwrap_or_default() + "\n"),
@@ -90,6 +109,21 @@ fn groups(texts: &[String], option: &'static str) -> Result<Vec<(String, Vec<Str
         Ok((name.trim().to_owned(), objects))
     };
     texts.iter().map(group).collect()
+}
+
+/// A folder with one of these is a goal-recognition problem: others may have a domain too.
+const MARKS: [&str; 3] = ["template.pddl", "hyps.dat", "real_hyp.dat"];
+
+/// Whether a folder holds a goal-recognition problem.
+pub fn is_layout(folder: &Path) -> bool {
+    MARKS.iter().any(|mark| named(folder, mark).is_some())
+}
+
+/// The file of a name in a folder, whatever its capitals.
+pub fn named(folder: &Path, name: &str) -> Option<PathBuf> {
+    let mut entries = std::fs::read_dir(folder).ok()?.flatten();
+    let entry = entries.find(|entry| entry.file_name().eq_ignore_ascii_case(name))?;
+    Some(entry.path())
 }
 
 /// The files of a folder or an archive.
@@ -147,6 +181,14 @@ fn plan(imported: &Imported, out: &Path) -> Result<(), CliError> {
             Ok(())
         }
     }
+}
+
+/// Makes a folder where there is none.
+fn make(folder: &Path) -> Result<(), CliError> {
+    std::fs::create_dir_all(folder).map_err(|error| CliError::Read {
+        file: folder.display().to_string(),
+        reason: error.to_string(),
+    })
 }
 
 fn write(path: &Path, text: &str) -> Result<(), CliError> {

@@ -68,14 +68,7 @@ impl Pddl {
                 .map(|kind| domain.types.name(kind).to_owned())
                 .collect(),
         };
-        let atom = |atom: &Atom| {
-            let mut text = format!("({}", domain.predicates.name(atom.predicate));
-            for &object in &atom.objects {
-                text.push(' ');
-                text.push_str(task.objects.name(object));
-            }
-            text + ")"
-        };
+        let atom = |atom: &Atom| atom.written(domain, &task.objects);
         Ok(Outline {
             domain: domain.name.clone(),
             objects: task.objects.ids().map(object).collect(),

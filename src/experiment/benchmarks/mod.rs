@@ -1,4 +1,4 @@
-//! Benchmarks: solvers on other people's goal-recognition problems.
+//! Benchmarks: solvers on other people's problems.
 //!
 //! - [`Benchmarks`] says what a run is about and lists its [`BenchmarkJob`]s, one for each problem and
 //!   solver; [`Benchmark`]s are found below a folder and read by whoever runs them,
@@ -15,6 +15,8 @@ mod validity;
 
 use super::series::{Series, SeriesJob};
 use super::{ExperimentError, Shard};
+use crate::domain::pddl::import::CandidateOptions;
+use crate::problem::MAX_GOALS;
 use crate::solver::{Bounds, Solver};
 
 pub use attempt::{BenchmarkRun, time_limit};
@@ -78,6 +80,8 @@ pub struct Benchmarks {
     pub adversarial_sensor: String,
     /// The friend's.
     pub cooperative_sensor: String,
+    /// The candidate goals of competition tasks.
+    pub tasks: CandidateOptions,
     /// Where solvers stop.
     pub limits: BenchmarkLimits,
 }
@@ -118,6 +122,10 @@ impl Benchmarks {
             if index > 0 && self.problems[index - 1].path >= problem.path {
                 return choice("problems", problem.path.clone(), "each path once, in order");
             }
+        }
+        if !(2..=MAX_GOALS).contains(&self.tasks.candidates) {
+            let expected = format!("a whole number from 2 to {MAX_GOALS}");
+            return choice("candidates", self.tasks.candidates.to_string(), &expected);
         }
         for (option, value) in [("k", self.k), ("j", self.j)] {
             if value == Some(0) {

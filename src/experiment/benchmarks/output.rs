@@ -3,7 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::{BenchmarkLine, BenchmarkRecord, BenchmarkSummary, Benchmarks};
+use super::{Benchmark, BenchmarkLine, BenchmarkRecord, BenchmarkSummary, Benchmarks};
+use crate::domain::pddl::import::CandidateOptions;
 use crate::experiment::ExperimentError;
 use crate::experiment::output::csv::{number, table};
 use crate::experiment::output::markdown::digits_of_seconds;
@@ -127,8 +128,15 @@ fn asked(run: &Benchmarks) -> String {
     stops.extend(limits.seconds.map(|seconds| format!("{seconds} s on the clock")));
     stops.push(format!("{} MiB of contents", limits.memory_mib));
     stops.extend(limits.expansions.map(|expansions| format!("{expansions} expansions")));
+    let is_task = |problem: &Benchmark| problem.path.to_ascii_lowercase().ends_with(".pddl");
+    let tasks = if run.problems.iter().any(is_task) {
+        let CandidateOptions { candidates, seed } = run.tasks;
+        format!("; {candidates} candidate goals for each competition task (seed {seed})")
+    } else {
+        String::new()
+    };
     format!(
-        "{} problems; {bounds}; sensors of imported problems “{}” and “{}”. Each solver stops at {}.",
+        "{} problems; {bounds}; sensors of imported problems “{}” and “{}”{tasks}. Each solver stops at {}.",
         run.problems.len(),
         cell(&run.adversarial_sensor),
         cell(&run.cooperative_sensor),

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{BENCHMARKS, Benchmark, BenchmarkJob, BenchmarkLimits, Benchmarks};
+use crate::domain::pddl::import::CandidateOptions;
 use crate::experiment::record::{Survivors, Work, rounded};
 use crate::experiment::series::{Series, SeriesHeader, SeriesRecord};
 use crate::experiment::{ExperimentError, Shard};
@@ -28,12 +29,27 @@ pub struct BenchmarkHeader {
     pub adversarial_sensor: String,
     /// The friend's.
     pub cooperative_sensor: String,
+    /// How many candidate goals competition tasks have.
+    #[serde(default = "candidates")]
+    pub candidates: usize,
+    /// The seed of those that are not the goal of the task.
+    #[serde(default = "seed")]
+    pub seed: u64,
     /// Where solvers stop.
     pub limits: BenchmarkLimits,
     /// The part of the run.
     pub shard: Shard,
     /// The problems, by their paths.
     pub problems: Vec<Benchmark>,
+}
+
+/// What older records do not say: there were no tasks.
+fn candidates() -> usize {
+    CandidateOptions::default().candidates
+}
+
+fn seed() -> u64 {
+    CandidateOptions::default().seed
 }
 
 impl BenchmarkHeader {
@@ -47,6 +63,8 @@ impl BenchmarkHeader {
             j: run.j,
             adversarial_sensor: run.adversarial_sensor.clone(),
             cooperative_sensor: run.cooperative_sensor.clone(),
+            candidates: run.tasks.candidates,
+            seed: run.tasks.seed,
             limits: run.limits.clone(),
             shard,
             problems: run.problems.clone(),
@@ -66,6 +84,7 @@ impl BenchmarkHeader {
             j: self.j,
             adversarial_sensor: self.adversarial_sensor.clone(),
             cooperative_sensor: self.cooperative_sensor.clone(),
+            tasks: CandidateOptions { candidates: self.candidates, seed: self.seed },
             limits: self.limits.clone(),
         };
         run.check().map_err(|error| {
@@ -112,6 +131,8 @@ impl SeriesHeader for BenchmarkHeader {
                 self.cooperative_sensor.clone(),
                 other.cooperative_sensor.clone(),
             ),
+            ("candidates", self.candidates.to_string(), other.candidates.to_string()),
+            ("seed", self.seed.to_string(), other.seed.to_string()),
             ("memory limit", a.memory_mib.to_string(), b.memory_mib.to_string()),
             ("expansions", number(a.expansions), number(b.expansions)),
             ("time limit", number(a.seconds), number(b.seconds)),

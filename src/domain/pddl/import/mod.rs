@@ -1,21 +1,25 @@
-//! Import of goal-recognition problems.
+//! Import of goal-recognition problems and of competition tasks.
 //!
-//! The layout is that of Ramírez and Geffner (2010, doi:10.1609/aaai.v24i1.7745): `domain.pddl`, `template.pddl` whose
+//! The layout of the former is that of Ramírez and Geffner (2010, doi:10.1609/aaai.v24i1.7745): `domain.pddl`, `template.pddl` whose
 //! goal is the text `<HYPOTHESIS>`, `hyps.dat` with one candidate goal a line, `real_hyp.dat`, and `obs.dat` with the
-//! actions that were seen. Files are given as texts; where they come from is the caller's business.
+//! actions that were seen. A competition task ([`import_task`]) has one goal, and the others are made of it. Files are given as texts; where they come from is the caller's business.
 
 mod hypotheses;
+mod permutation;
 mod sensors;
+mod task;
 mod template;
 
 use thiserror::Error;
 
 use super::{Pddl, PddlGoal, PddlObserver, PddlText};
 use crate::domain::Observers;
-use crate::pddl::{PddlError, read_condition, read_domain, read_open_task};
+use crate::pddl::{Domain, PddlError, read_condition, read_domain, read_open_task};
 
 use hypotheses::{Hypothesis, Line, hypotheses, lines};
 use template::Template;
+
+pub use task::{CandidateOptions, import_task};
 
 /// The names of the files, in the order in which they are read.
 pub const FILES: [&str; 5] =
@@ -195,30 +199,38 @@ pub fn import(files: &[ImportFile], options: &ImportOptions) -> Result<Imported,
             expected: "2 at least".to_owned(),
         });
     }
-    let observer = |option, sensor: &str, groups: &[(String, Vec<String>)]| {
-        let sensor = sensors::sensor(&domain, option, sensor)?;
-        Ok(PddlObserver { initial_belief: None, groups: groups.to_vec(), sensor })
-    };
     let document = Pddl {
         domain: PddlText::new(trimmed(&domain_text)),
         problem: PddlText::new(trimmed(&template.problem)),
         goals,
         true_goal: truth.name(),
-        observers: Observers {
-            adversarial: observer(
-                "adversarial-sensor",
-                &options.adversarial_sensor,
-                &options.adversarial_groups,
-            )?,
-            cooperative: observer(
-                "cooperative-sensor",
-                &options.cooperative_sensor,
-                &options.cooperative_groups,
-            )?,
-        },
+        observers: observers(&domain, options)?,
     };
     let observations = find(files, "obs.dat")?.map(observations).transpose()?;
     Ok(Imported { document, observations, notes })
+}
+
+/// The observers, who know the initial state.
+fn observers(
+    domain: &Domain,
+    options: &ImportOptions,
+) -> Result<Observers<PddlObserver>, ImportError> {
+    let observer = |option, sensor: &str, groups: &[(String, Vec<String>)]| {
+        let sensor = sensors::sensor(domain, option, sensor)?;
+        Ok(PddlObserver { initial_belief: None, groups: groups.to_vec(), sensor })
+    };
+    Ok(Observers {
+        adversarial: observer(
+            "adversarial-sensor",
+            &options.adversarial_sensor,
+            &options.adversarial_groups,
+        )?,
+        cooperative: observer(
+            "cooperative-sensor",
+            &options.cooperative_sensor,
+            &options.cooperative_groups,
+        )?,
+    })
 }
 
 /// How many hypotheses the files have, those that stand there twice counted twice.
