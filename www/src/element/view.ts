@@ -25,13 +25,13 @@ import { type StageStores, stage } from "../stage/stage.js";
 import { stepper } from "../stage/stepper.js";
 import { followSymbols } from "../stage/symbols.js";
 import { followRow } from "../steps/follow-row.js";
-import { cross } from "../view/icons.js";
 import { LazyPanel } from "../workbench/lazy-panel.js";
 import { type WorkbenchStores, workbench } from "../workbench/workbench.js";
 import { choosePlaces } from "../worker/places.js";
 import type { Answered } from "../worker/protocol.js";
 import { AttributeChanges } from "./attribute-changes.js";
 import { AttributeMessage, manners } from "./attribute-message.js";
+import { errorMessage } from "./error-message.js";
 import { Notifier } from "./events.js";
 import { FirstUse } from "./first-use.js";
 import { Given, type Wanted } from "./given.js";
@@ -353,12 +353,6 @@ export class View {
     return opened;
   }
 
-  /** What failed for want of a connection or of a solver is tried again by one click. */
-  private again(): TemplateResult | typeof nothing {
-    const again = this.playground.answer.again.value;
-    return again === null ? nothing : html` <button type="button" class="again" @click=${again}>Try again</button>`;
-  }
-
   private content(): TemplateResult {
     const playground = this.playground;
     const error = playground.answer.error.value;
@@ -370,15 +364,7 @@ export class View {
       return html`${wayBack(playground)} ${this.workplace(isBare)}`;
     };
     return html`
-      <div class="error">
-        <div role="alert">${error === null ? nothing : html`<p>${error}${this.again()}</p>`}</div>
-        ${
-          error === null || isBare
-            ? nothing
-            : html`<button type="button" class="sign" aria-label="Close the message" title="Close the message"
-                @click=${() => playground.answer.dismiss()}>${cross}</button>`
-        }
-      </div>
+      ${errorMessage(playground.answer, isBare)}
       ${shown()} ${dropSign(this.drops)}
     `;
   }
