@@ -44,6 +44,50 @@ test("no worker is started before there is a task, and none is kept when there w
   assert.equal(running().length, 0);
 });
 
+test("a part that sleeps holds its task without a worker, and begins it again when it wakes", async () => {
+  const pool = new WorkerPool();
+  const runner = new TaskRunner("now", pool);
+  const news: string[] = [];
+  const first = runner.run(solve, ({ kind }) => news.push(kind));
+  runner.sleep();
+  // It moved within one turn.
+  runner.wake();
+  runner.sleep();
+  assert.equal(running().length, 0);
+  assert.deepEqual(news, ["waiting", "waiting"]);
+  // A newer one takes its place there, too.
+  const second = runner.run(solve);
+  assert.deepEqual(await first, { kind: "stale" });
+  assert.equal(running().length, 0);
+  runner.wake();
+  assert.equal(running().length, 1);
+  finish(ScriptedWorker.last);
+  assert.equal((await second).kind, "solved");
+  const third = runner.run(solve);
+  runner.sleep();
+  runner.drop();
+  assert.deepEqual(await third, { kind: "stale" });
+});
+
+test("a part that sleeps leaves the workers to the others, and comes back to the one it had", async () => {
+  const pool = new WorkerPool();
+  const [one, other] = [new TaskRunner("now", pool), new TaskRunner("now", pool)];
+  const endings = [one.run(solve), other.run(solve)];
+  const [worker] = ScriptedWorker.all;
+  one.sleep();
+  one.wake();
+  await settled();
+  assert.deepEqual(
+    worker?.heard.map(({ kind }) => kind),
+    ["solve", "cancel", "solve"],
+  );
+  for (const each of ScriptedWorker.all) finish(each);
+  assert.deepEqual(
+    (await Promise.all(endings)).map(({ kind }) => kind),
+    ["solved", "solved"],
+  );
+});
+
 test("tasks one after another share a worker", async () => {
   const pool = new WorkerPool();
   for (const runner of [new TaskRunner("now", pool), new TaskRunner("now", pool)]) {

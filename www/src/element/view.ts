@@ -104,6 +104,8 @@ export class View {
   /** What the tabs are drawn with. */
   private readonly onBench: WorkbenchStores;
   private begun = false;
+  /** Set while it is out of the page and does not sleep yet. */
+  private leaving: ReturnType<typeof setTimeout> | undefined;
   /** The attributes that changed in this turn. */
   private readonly changes: AttributeChanges;
   /** How often they were followed: work that is still under way then knows that other attributes came after. */
@@ -144,6 +146,8 @@ export class View {
 
   connect(): void {
     const { host } = this;
+    clearTimeout(this.leaving);
+    this.playground.wake();
     choosePlaces({ worker: host.getAttribute("worker-url"), wasm: host.getAttribute("wasm-url") });
     this.playground.solving.prepare();
     this.sharing.value = this.host.getAttribute("link") !== "off" && this.address.claim();
@@ -171,7 +175,9 @@ export class View {
     this.keys.release();
     this.firstUse.release();
     this.printing.disconnect();
-    this.playground.dispose();
+    // A page that moves it takes it out and puts it back in one turn: then the work goes on.
+    clearTimeout(this.leaving);
+    this.leaving = setTimeout(() => this.playground.sleep());
   }
 
   get document(): ProblemDocument | null {

@@ -49,12 +49,23 @@ export class Playground {
   readonly draft = new Draft(this);
   readonly command = new Copier();
 
-  dispose(): void {
+  /** It is out of the page: it has no worker, and what is under way waits. */
+  sleep(): void {
+    this.timeline.pause();
+    for (const part of this.atWork) part.sleep();
+  }
+
+  /** It is back: what was under way goes on. */
+  wake(): void {
+    for (const part of this.atWork) part.wake();
+  }
+
+  private get atWork() {
     const { solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft } = this;
     const { exercise, exerciseDraft } = this;
-    this.timeline.pause();
-    for (const part of [solving, answer, pictures, why, walk, guess, adviser, comparison, tradeoff, draft])
-      part.dispose();
-    for (const part of [exercise, exerciseDraft]) part.dispose();
+    return [
+      ...[solving, answer, exercise, exerciseDraft, pictures, why],
+      ...[walk, guess, adviser, comparison, tradeoff, draft],
+    ];
   }
 }

@@ -37,8 +37,12 @@ export class Adviser {
     });
   }
 
-  dispose(): void {
-    this.runner.dispose();
+  sleep(): void {
+    this.runner.sleep();
+  }
+
+  wake(): void {
+    this.runner.wake();
   }
 
   private async findOptimum(document: OpenDocument): Promise<void> {

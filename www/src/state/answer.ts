@@ -100,8 +100,11 @@ export class Answer {
     this.status.value = this.result.value?.outcome.status ?? "idle";
   }
 
-  dispose(): void {
-    this.stopwatch.stop();
-    if (this.status.value === "solving") this.status.value = "idle";
+  sleep(): void {
+    this.stopwatch.halt();
+  }
+
+  wake(): void {
+    this.stopwatch.goOn();
   }
 }

@@ -143,9 +143,14 @@ export class Comparison {
     this.runner.cancel();
   }
 
-  dispose(): void {
-    this.drop();
-    this.runner.dispose();
+  sleep(): void {
+    this.stopwatch.halt();
+    this.runner.sleep();
+  }
+
+  wake(): void {
+    this.stopwatch.goOn();
+    this.runner.wake();
   }
 
   /** The answers are no longer of use. */

@@ -104,8 +104,12 @@ export class ExerciseDraft {
     });
   }
 
-  dispose(): void {
+  sleep(): void {
     this.kept.release();
+  }
+
+  wake(): void {
+    if (this.begun) this.kept.listen();
   }
 
   edit(change: Partial<DraftFields>): void {

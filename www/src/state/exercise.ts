@@ -318,9 +318,14 @@ export class Exercise {
     if (seed !== undefined && begun) this.tries.set(seed, tried);
   }
 
-  dispose(): void {
-    this.runner.dispose();
-    this.drawer.dispose();
+  sleep(): void {
+    this.runner.sleep();
+    this.drawer.sleep();
+  }
+
+  wake(): void {
+    this.runner.wake();
+    this.drawer.wake();
   }
 
   private change(choices: readonly number[]): void {

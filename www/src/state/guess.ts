@@ -114,8 +114,12 @@ export class Guess {
     this.hidden = null;
   }
 
-  dispose(): void {
-    this.hider.dispose();
+  sleep(): void {
+    this.hider.sleep();
+  }
+
+  wake(): void {
+    this.hider.wake();
   }
 
   private hide(goal: string, document: string, scene: Scene, trace: Trace): void {

@@ -14,6 +14,8 @@ export class Pictures {
   private readonly runner = new TaskRunner("now");
   /** One picture after the other: a newer task of the runner would end the older one. */
   private queue: Promise<unknown> = Promise.resolve();
+  private waiting = 0;
+  private asleep = false;
 
   constructor(private readonly stores: Stores) {}
 
@@ -26,23 +28,38 @@ export class Pictures {
     const plan = steps.flatMap(({ action }) => (action === null ? [] : [action]));
     const wanted = { step: timeline.step.value, ...options };
     const guessing = boards.mode.value === "guess";
+    this.waiting += 1;
     const drawn = this.queue.then(() => {
       if (guessing) throw new Error("There is no picture while a goal is being guessed: it would tell which.");
       if (document === null || steps.length === 0) throw new Error("There is nothing to draw.");
       return this.ask(document, plan, wanted);
     });
-    this.queue = drawn.catch(() => undefined);
+    this.queue = drawn.then(
+      () => this.ended(),
+      () => this.ended(),
+    );
     return drawn;
   }
 
-  dispose(): void {
-    this.runner.dispose();
+  /** A picture takes little time, and is drawn out of the page as well; then the worker is given back. */
+  sleep(): void {
+    this.asleep = true;
+    if (this.waiting === 0) this.runner.dispose();
+  }
+
+  wake(): void {
+    this.asleep = false;
+  }
+
+  private ended(): void {
+    this.waiting -= 1;
+    if (this.asleep && this.waiting === 0) this.runner.dispose();
   }
 
   private async ask(document: string, plan: string[], options: PictureOptions): Promise<string> {
     const ending = await this.runner.run({ kind: "picture", document, plan, options });
     if (ending.kind === "drawn") return ending.svg;
     if (ending.kind === "refused") throw new Error(ending.message);
-    throw new Error(ending.kind === "lost" ? lost(ending) : "The playground was taken out of the page.");
+    throw new Error(ending.kind === "lost" ? lost(ending) : "The picture was given up.");
   }
 }

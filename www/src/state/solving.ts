@@ -133,10 +133,14 @@ export class Solving {
     this.answer.remark(message);
   }
 
-  dispose(): void {
-    this.live.clear();
-    this.runner.dispose();
-    this.aside.dispose();
+  sleep(): void {
+    this.runner.sleep();
+    this.aside.sleep();
+  }
+
+  wake(): void {
+    this.runner.wake();
+    this.aside.wake();
   }
 
   private begin(): void {

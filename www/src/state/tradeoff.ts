@@ -92,9 +92,14 @@ export class Tradeoff {
     this.again.value += 1;
   }
 
-  dispose(): void {
-    this.stop();
-    this.runner.dispose();
+  sleep(): void {
+    this.stopwatch.halt();
+    this.runner.sleep();
+  }
+
+  wake(): void {
+    this.stopwatch.goOn();
+    this.runner.wake();
   }
 
   private stop(): void {

@@ -84,8 +84,12 @@ export class Walk {
     this.stores.plans.showAnswer();
   }
 
-  dispose(): void {
-    this.judge.dispose();
+  sleep(): void {
+    this.judge.sleep();
+  }
+
+  wake(): void {
+    this.judge.wake();
   }
 
   private enqueue(work: () => Promise<void>): Promise<void> {

@@ -41,8 +41,12 @@ export class Why {
     return same ? { goal: found.goal, cause: found.eliminations[role] } : undefined;
   }
 
-  dispose(): void {
-    this.runner.dispose();
+  sleep(): void {
+    this.runner.sleep();
+  }
+
+  wake(): void {
+    this.runner.wake();
   }
 
   private question(): Question | null {

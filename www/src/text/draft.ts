@@ -117,10 +117,14 @@ export class Draft {
     else this.keep();
   }
 
-  dispose(): void {
+  sleep(): void {
     this.kept.release();
-    this.checks.clear();
-    this.checker.dispose();
+    this.checker.sleep();
+  }
+
+  wake(): void {
+    if (this.begun) this.kept.listen();
+    this.checker.wake();
   }
 
   private async perform(text: string): Promise<void> {

@@ -26,6 +26,8 @@ export interface Job {
 interface Place {
   readonly client: SolverClient;
   job: Job | null;
+  /** The job's run by the client: a job may be taken away and given back before the end of an earlier one is heard. */
+  run: Promise<Ending> | null;
   /** Whose task was here last: its problem is still open there. */
   last: object | null;
 }
@@ -34,6 +36,7 @@ export class WorkerPool {
   private readonly places: readonly Place[] = [...Array(MOST_WORKERS).keys()].map(() => ({
     client: new SolverClient(),
     job: null,
+    run: null,
     last: null,
   }));
   private waiting: readonly Job[] = [];
@@ -86,6 +89,16 @@ export class WorkerPool {
     queueMicrotask(() => this.next());
   }
 
+  /** Takes a job from its worker, or from those that wait, without an end: its owner may start it again. */
+  hold(job: Job): void {
+    const place = this.placeOf(job);
+    if (place !== undefined) place.job = null;
+    this.waiting = this.waiting.filter((other) => other !== job);
+    job.report({ kind: "waiting" });
+    place?.client.drop();
+    queueMicrotask(() => this.next());
+  }
+
   /** `owner` has no more tasks; the workers end with the last of the owners. */
   leave(owner: object): void {
     this.owners.delete(owner);
@@ -124,9 +137,11 @@ export class WorkerPool {
   private assign(place: Place, job: Job): void {
     place.job = job;
     place.last = job.owner;
-    void place.client.run(job.task, job.report).then((ending) => {
+    const run = place.client.run(job.task, job.report);
+    place.run = run;
+    void run.then((ending) => {
       // Another job has the place by now; this one was told.
-      if (place.job !== job) return;
+      if (place.job !== job || place.run !== run) return;
       place.job = null;
       job.end(ending);
       this.next();

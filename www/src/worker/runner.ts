@@ -1,10 +1,12 @@
-// The tasks of one part of a playground, one at a time: a newer one makes the older stale.
+// The tasks of one part of a playground, one at a time: a newer one makes the older stale. While the playground is out of
+// the page a task is held without a worker; it begins anew when the playground is back.
 import type { Ending } from "./client.js";
 import { type Job, type News, pagePool, type Urgency } from "./pool.js";
 import type { Task } from "./protocol.js";
 
 export class TaskRunner {
   private current: Job | null = null;
+  private asleep = false;
 
   constructor(
     private readonly urgency: Urgency,
@@ -31,7 +33,8 @@ export class TaskRunner {
       };
       const before = this.current;
       this.current = job;
-      this.pool.start(job, before);
+      if (!this.asleep) this.pool.start(job, before);
+      else if (before !== null) this.pool.drop(before);
     });
   }
 
@@ -43,6 +46,24 @@ export class TaskRunner {
   /** Ends the task under way; its answer is no longer of use. */
   drop(): void {
     if (this.current !== null) this.pool.drop(this.current);
+  }
+
+  /** Takes no worker until `wake`: the task under way is held, and so is the next one. */
+  sleep(): void {
+    if (this.asleep) return;
+    this.asleep = true;
+    if (this.current !== null) this.pool.hold(this.current);
+    this.pool.leave(this);
+  }
+
+  /** Begins the task that is held. */
+  wake(): void {
+    if (!this.asleep) return;
+    this.asleep = false;
+    const held = this.current;
+    if (held === null) return;
+    this.pool.start(held, null);
+    if (held.cancelled) this.cancel();
   }
 
   /** There will be no more tasks. */
