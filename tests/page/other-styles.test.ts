@@ -98,6 +98,11 @@ const styles: readonly Style[] = [
     css: "body { font: italic 700 40px/3 serif; color: red; text-align: right; letter-spacing: 4px; word-spacing: 9px; text-transform: uppercase; white-space: pre; cursor: wait; text-shadow: 3px 3px red; list-style: upper-roman; --ink: red; --card: lime; --line: blue }",
     around: (inner) => `<div dir="rtl">${inner}</div>`,
   },
+  {
+    name: "lines under and through text",
+    css: "* { text-decoration: underline wavy red 3px } .done { text-decoration: line-through !important }",
+    around: (inner) => `<div class="done"><u><s>${inner}</s></u></div>`,
+  },
 ];
 
 const elements = [
@@ -106,14 +111,14 @@ const elements = [
 ].join("");
 
 /** The size of the root's text is the page's to decide: it is the same in all of these. */
-function lesson({ css, around = (inner) => inner, doctype = "<!doctype html>" }: Style): string {
+function lesson({ css, around = (inner) => inner, doctype = "<!doctype html>" }: Style, body = elements): string {
   return `${doctype}<html lang="en" data-theme="light"><head><title>Lesson</title><meta charset="utf-8">
     <style>${css.replaceAll("</style", "")}</style>
     <style>html { font-size: 16px !important }
       #frame { position: absolute !important; inset: 0 auto auto 0 !important; width: 1160px !important; max-width: none !important;
         float: none !important; display: block !important; padding: 0 !important; margin: 0 !important }</style>
     <script type="module" src="../mo-copp-playground.js"></script></head>
-    <body>${around(`<div id="frame">${elements}</div>`)}</body></html>`;
+    <body>${around(`<div id="frame">${body}</div>`)}</body></html>`;
 }
 
 async function picture(page: Page, style: Style, tab = "Solve"): Promise<PNG> {
@@ -138,6 +143,21 @@ async function picture(page: Page, style: Style, tab = "Solve"): Promise<PNG> {
   return PNG.sync.read(bytes);
 }
 
+/** The page as it is on paper or on the screen, once all that it has is there. */
+async function shown(page: Page, style: Style, medium: "print" | "screen", body: string): Promise<PNG> {
+  const path = `${address}lesson/shown.html`;
+  await page.route(path, (route) => route.fulfill({ contentType: "text/html", body: lesson(style, body) }));
+  await page.goto(path);
+  await page.waitForFunction(
+    () => document.querySelectorAll("mo-copp-playground:not([data-status=optimal], [data-status=error])").length === 0,
+  );
+  await page.emulateMedia({ media: medium });
+  const bytes = await page.locator("#frame").screenshot({ animations: "disabled", caret: "hide" });
+  await page.emulateMedia({ media: null });
+  await page.unroute(path);
+  return PNG.sync.read(bytes);
+}
+
 const plain: Style = { name: "none", css: "" };
 
 test("other people's style sheets change next to nothing of the picture", () =>
@@ -152,6 +172,24 @@ test("other people's style sheets change next to nothing of the picture", () =>
         if (differ > MOST_APART) apart.push(`${style.name}: ${(differ * 100).toFixed(2)} %`);
       }
       assert.deepEqual(apart, []);
+    },
+    { viewport: { width: 1280, height: 900 }, quiet: false },
+  ));
+
+test("lines of the page's text reach neither what is printed nor a message", () =>
+  visit(
+    async ({ page }) => {
+      const lines = styles.find(({ name }) => name.startsWith("lines")) ?? assert.fail("no such style");
+      const broken = `<mo-copp-playground problem="nowhere" link="off"></mo-copp-playground>`;
+      for (const [medium, body] of [
+        ["print", elements],
+        ["screen", broken],
+      ] as const) {
+        const [without, styled] = [await shown(page, plain, medium, body), await shown(page, lines, medium, body)];
+        const { width, height } = without;
+        assert.deepEqual([styled.width, styled.height], [width, height], medium);
+        assert.equal(pixelmatch(without.data, styled.data, undefined, width, height), 0, medium);
+      }
     },
     { viewport: { width: 1280, height: 900 }, quiet: false },
   ));

@@ -15,6 +15,10 @@ import type { View } from "./view.js";
  * is in it, an unseen line of text gives it one: it is as long as a playground is wide, and breaks where there is less.
  * A page may make the host a row, a grid or a table: all of it is one box, which is as wide as the host. What would leave
  * it no room is decided here, whatever a rule of the page is for: all elements, or this one.
+ *
+ * Lines that the page draws under or through its text go on into all boxes in its flow, whatever these say, but not into
+ * floats: what is drawn is one, as wide and as high as its ground. (Inline blocks stop them as well, and are not
+ * broken into pages.)
  */
 const frame = `
 :host { display: block; writing-mode: horizontal-tb !important; columns: auto !important;
@@ -24,13 +28,15 @@ const frame = `
 .width { all: initial; display: block; height: 0; overflow: hidden; visibility: hidden; font-size: inherit;
   word-spacing: max(10rem, min(60 * var(--mo-copp-font-size, max(1rem, 13px)), 100cqi - 2rem)); }
 .width::before { content: "- -"; display: block; min-width: 10rem; font: 1px/0 sans-serif; }
+.ground { display: flow-root; }
 .mo-copp-part { all: initial; display: block; visibility: inherit; pointer-events: inherit; }
+.ground > .mo-copp-part { float: left; width: 100%; }
 .mo-copp-part.waiting { min-height: 30rem; }
 .mo-copp-part.waiting.has-poster { display: none; }
 ${probeStyle}
 slot { display: none; }
 slot.poster { display: contents; }
-slot.poster ~ .has-poster:not(.waiting) > :not(.error, .failure) { display: none; }
+slot.poster ~ .ground > .has-poster:not(.waiting) > :not(.error, .failure) { display: none; }
 .failure { margin: 0; padding: 0.75rem; font: 1rem / 1.45 system-ui, sans-serif; }
 @media print {
   .mo-copp-part.waiting { min-height: 0; }
@@ -159,9 +165,12 @@ export class MoCoppPlayground extends PlaygroundElement {
     slotted.addEventListener("slotchange", look);
     const width = document.createElement("div");
     width.className = "width";
+    const ground = document.createElement("div");
+    ground.className = "ground";
+    ground.append(root);
     const whole = document.createElement("div");
     whole.className = "whole";
-    whole.append(width, this.#slotted, root);
+    whole.append(width, this.#slotted, ground);
     const theme = new Theme(this, root, true);
     shadow.append(
       whole,
