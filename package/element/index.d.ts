@@ -36,7 +36,10 @@ export interface SharedState {
 export declare class MoCoppPlayground extends HTMLElement {
   /** Settles once the first picture is drawn, or cannot be. */
   readonly ready: Promise<this>;
-  /** The problem document that is open, or is being opened. Set, as an object or as its text, it is opened. */
+  /**
+   * The problem document that is open, or is being opened: a copy, of which a change changes nothing before it is set.
+   * Set, as an object or as its text, it is opened.
+   */
   get document(): object | null;
   set document(value: object | string | null);
   /** All that a link would hold. Kept and set again, the playground is as it was. */
@@ -82,7 +85,7 @@ export declare class MoCoppPlayground extends HTMLElement {
   get wasmUrl(): Text;
   set wasmUrl(value: Given);
   watch: boolean;
-  /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number. */
+  /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number from 0. */
   goTo(step: number): Promise<void>;
   /** Solves the open problem; rejects with a sentence where the options do not fit or are not the element's. */
   solve(options?: ElementSolveOptions | null): Promise<Answered>;

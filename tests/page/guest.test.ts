@@ -637,6 +637,8 @@ test("methods reject with a sentence what can't be used, and change nothing by i
         apart.goTo(1),
         apart.toSVG(),
         apart.solve(),
+        playground.goTo(-1),
+        playground.goTo(-Infinity),
       ]);
       const before = { ...playground.dataset };
       // The core's own word; what it is said of is forgotten.

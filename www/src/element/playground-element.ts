@@ -63,7 +63,10 @@ export abstract class PlaygroundElement extends Base {
     return this.#view;
   }
 
-  /** The problem document that is open, or is being opened. Set, as an object or as its text, it is opened. */
+  /**
+   * The problem document that is open, or is being opened: a copy, of which a change changes nothing before it is set.
+   * Set, as an object or as its text, it is opened.
+   */
   get document(): ProblemDocument | null {
     return this.#view === null ? (parsed(this.#wanted.document) as ProblemDocument | null) : this.#view.document;
   }
@@ -96,7 +99,7 @@ export abstract class PlaygroundElement extends Base {
     else this.#view.refuse(fault);
   }
 
-  /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number. */
+  /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number from 0. */
   async goTo(step: number): Promise<void> {
     (await this.#whenDrawn()).goTo(step);
   }

@@ -8,10 +8,14 @@ import { changeOf, type ElementSolveOptions } from "./solve-options.js";
 import { type PngOptions, pictureOptions, type SvgOptions } from "./svg-options.js";
 import type { Scheme } from "./theme.js";
 
+/** Why a question has no answer of its own. */
+const OVERTAKEN = "Another question took the place of this one before it was answered.";
+const CHANGED = "The problem was changed before this question was answered.";
+
 /** A script may hand over anything. */
 export function goTo({ timeline }: Playground, step: unknown): void {
   const wanted = Number(String(step).trim() || Number.NaN);
-  if (Number.isNaN(wanted) || (Number.isFinite(wanted) && !Number.isInteger(wanted)))
+  if (Number.isNaN(wanted) || (Number.isFinite(wanted) && !Number.isInteger(wanted)) || wanted < 0)
     throw new Error(`“${step}” is no step; expected a whole number from 0 to ${timeline.lastStep.value}.`);
   timeline.goTo(wanted);
 }
@@ -19,26 +23,24 @@ export function goTo({ timeline }: Playground, step: unknown): void {
 /** Options that can't be used leave the form as it was: the next ones are asked for on their own. */
 export async function solve(playground: Playground, options: ElementSolveOptions): Promise<Answered> {
   const { answer, form, problem, solving } = playground;
-  if (problem.newest?.closed) throw new Error(CLOSED);
+  const asked = problem.newest;
+  if (asked?.closed) throw new Error(CLOSED);
   const before = form.value;
   const change = changeOf(options);
-  const asked = optionsOf({ ...before, ...change });
-  if (typeof asked === "string") throw new Error(asked);
+  const wanted = optionsOf({ ...before, ...change });
+  if (typeof wanted === "string") throw new Error(wanted);
   const scene = problem.scene.value;
   const misfit = `These options do not fit the problem: k and j go from 1 to ${scene?.goals.length}.`;
   if (scene !== null && fitted({ ...before, ...change }, scene) !== null) throw new Error(misfit);
   solving.edit(change);
   const now = form.value;
-  await solving.solve();
-  const { error, result } = answer;
-  if (error.value !== null) {
-    if (form.value === now) form.value = before;
-    throw new Error(error.value);
-  }
-  const { options: answered, outcome } = result.value ?? {};
-  if (outcome === undefined) throw new Error("Something else was asked for meanwhile.");
-  if (JSON.stringify(answered) !== JSON.stringify(asked)) throw new Error(misfit);
-  return outcome;
+  const ending = await solving.solve();
+  if (ending?.kind === "solved") return ending.outcome;
+  if (ending?.kind === "stale") throw new Error(problem.newest === asked ? OVERTAKEN : CHANGED);
+  const { value: error } = answer.error;
+  if (error === null) throw new Error(misfit);
+  if (form.value === now) form.value = before;
+  throw new Error(error);
 }
 
 /** `scheme`: the colours, where the options name none. */

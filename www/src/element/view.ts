@@ -184,7 +184,7 @@ export class View {
     const { exercise, problem } = this.playground;
     if (this.given.document !== null) return this.given.document as ProblemDocument;
     const asked = exercise.posed.value;
-    return asked === null ? (problem.document.value?.value ?? null) : JSON.parse(asked.text);
+    return asked === null ? structuredClone(problem.document.value?.value ?? null) : JSON.parse(asked.text);
   }
 
   get state(): SharedState | null {

@@ -11,7 +11,7 @@ export class Coalesce<T> {
   private run = 0;
 
   /** `work` is called for one job at a time; a later call makes the one before it stale. */
-  constructor(private readonly work: (job: T) => Promise<void>) {}
+  constructor(private readonly work: (job: T) => Promise<unknown>) {}
 
   /** Whether a newer job than the one that is worked on is there. */
   get waits(): boolean {

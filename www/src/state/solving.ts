@@ -73,17 +73,23 @@ export class Solving {
     if (document !== null && (wanted || asked !== this.asked)) this.follow(document);
   }
 
-  /** Runs the solver that was chosen. */
-  async solve(at: At = "end"): Promise<void> {
+  /** Runs the solver that was chosen. Resolves to how that ended; null where nothing was begun, for which a message says why. */
+  async solve(at: At = "end"): Promise<Ending | null> {
     const document = this.problem.newest;
-    if (document === null) return;
-    if (document.closed) return this.remark(CLOSED);
+    if (document === null) return null;
+    if (document.closed) {
+      this.remark(CLOSED);
+      return null;
+    }
     this.live.clear();
     const options = optionsOf(this.form.value);
-    if (typeof options === "string") return this.refuse(options);
+    if (typeof options === "string") {
+      this.refuse(options);
+      return null;
+    }
     this.answer.ran.value = options.solver;
     this.begin();
-    await this.perform({ document, options, at });
+    return this.perform({ document, options, at });
   }
 
   /** Solves a document that is being opened; `exact` is what the best possible of it is asked for. */
@@ -148,7 +154,7 @@ export class Solving {
     this.answer.begin();
   }
 
-  private async perform(job: Job): Promise<void> {
+  private async perform(job: Job): Promise<Ending> {
     const { document, options, at } = job;
     if (document.closed) return this.show(job);
     const { boards, answer } = this;
@@ -162,7 +168,7 @@ export class Solving {
       this.tell(job, news),
     );
     clearTimeout(waiting);
-    if (ending.kind === "refused" && this.refit(document)) return;
+    if (ending.kind === "refused" && this.refit(document)) return ending;
     if (ending.kind !== "solved") return this.failed(ending);
     const { scene, outcome, trace } = ending;
     batch(() => {
@@ -172,10 +178,11 @@ export class Solving {
       const played = !changed && mode === "plan" && boards.mode.value !== "plan";
       if (!played) boards.showAnswer(trace, outcome.plan !== null, at);
     });
+    return ending;
   }
 
   /** Shows a problem that is not to be solved. */
-  private async show({ document, at }: Job): Promise<void> {
+  private async show({ document, at }: Job): Promise<Ending> {
     const ending = await this.runner.run({ kind: "begin", document: document.text });
     if (ending.kind !== "begun") return this.failed(ending);
     batch(() => {
@@ -183,6 +190,7 @@ export class Solving {
       this.answer.rest(ending.start);
       this.boards.showAnswer(ending.start, false, at);
     });
+    return ending;
   }
 
   private tell({ document, at }: Job, news: News): void {
@@ -216,8 +224,9 @@ export class Solving {
     return true;
   }
 
-  private failed(ending: Ending): void {
+  private failed(ending: Ending): Ending {
     if (ending.kind === "refused" || ending.kind === "lost") this.problem.giveUp();
     this.answer.fail(ending, isMissing(ending) ? () => void this.solve() : null);
+    return ending;
   }
 }
