@@ -4,12 +4,20 @@ import { propertiesAlone, settingNames } from "./attributes.js";
 import { mistakes } from "./settings.js";
 
 /** Attributes that change how a playground looks and behaves, and not what is open in it. */
-export const manners: ReadonlySet<string> = new Set(["step", "hide", "keys", "theme", "link", ...propertiesAlone]);
+export const manners: ReadonlySet<string> = new Set([
+  "step",
+  "hide",
+  "keys",
+  "theme",
+  "link",
+  "loading",
+  ...propertiesAlone,
+]);
 
 /** Attributes that a message may be about. */
 const remarked: ReadonlySet<string> = new Set([
   ...[...settingNames, ...manners],
-  ...["seed", "student", "loading", "watch", "root"],
+  ...["seed", "student", "watch", "root"],
 ]);
 
 export class AttributeMessage {

@@ -4,7 +4,7 @@
 export const settingNames = ["src", "problem", "plan", "step", "solver", "k", "j", "horizon"] as const;
 
 /** How the playground behaves in its page. */
-const manners = ["hide", "link", "theme", "keys"] as const;
+const manners = ["hide", "link", "theme", "keys", "loading"] as const;
 
 /** What an exercise is asked with. */
 const questions = ["exercise", "seed", "student"] as const;
@@ -13,7 +13,7 @@ const questions = ["exercise", "seed", "student"] as const;
 export const followed: readonly string[] = [...settingNames, ...manners, ...questions];
 
 /** Looked at once: when the element comes into the page, when its form is sent, when the first one starts the core. */
-const once = ["name", "watch", "loading", "worker-url", "wasm-url"] as const;
+const once = ["name", "watch", "worker-url", "wasm-url"] as const;
 
 /** What is no attribute, and may be taken for one: its being there is said. */
 export const propertiesAlone = ["document", "state"] as const;

@@ -162,9 +162,16 @@ export abstract class PlaygroundElement extends Base {
       this.#view.connect();
       return;
     }
-    this.makeRoot();
-    if (this.getAttribute("loading") === "lazy") this.#stopWaiting = whenNear(this, () => void this.show());
-    else void this.show();
+    const root = this.makeRoot();
+    this.#stopWaiting?.();
+    // What is around the picture has the picture's size also where the element itself is clipped to none.
+    const around = root.closest(".whole") ?? this;
+    this.#stopWaiting = this.#isLazy ? whenNear(around, () => void this.show()) : null;
+    if (!this.#isLazy) void this.show();
+  }
+
+  get #isLazy(): boolean {
+    return this.getAttribute("loading") === "lazy";
   }
 
   disconnectedCallback(): void {
@@ -179,6 +186,7 @@ export abstract class PlaygroundElement extends Base {
 
   /** Does what an attribute says. */
   protected follow(name: string): void {
+    if (name === "loading" && this.#stopWaiting !== null && !this.#isLazy) void this.show();
     this.#view?.attributeChanged(name);
   }
 

@@ -3,6 +3,9 @@
 /** An element that is this far away, in parts of the window's height, is near. */
 const NEAR = "50%";
 
+/** The least part of an element that is seen; the browser tells also of those that merely touch what is seen. */
+const SOME = 1e-4;
+
 /** Until then an element may lack its children. */
 export function whenParsed(): Promise<void> {
   if (document.readyState !== "loading") return Promise.resolve();
@@ -31,6 +34,7 @@ function whenReading(begun: () => void): () => void {
 
 /**
  * Calls `near` once: when the element is in sight or, once the page is being read, near it, or when the page is printed.
+ * What is closed, clipped to nothing or has no size is not in sight.
  * Returns how to stop waiting.
  */
 export function whenNear(element: Element, near: () => void): () => void {
@@ -43,17 +47,26 @@ export function whenNear(element: Element, near: () => void): () => void {
   const observe = (margin: string) => {
     const observer = new IntersectionObserver(
       (entries) => {
-        if (entries.some(({ isIntersecting }) => isIntersecting)) come();
+        if (entries.some(isToBeSeen)) come();
       },
-      { rootMargin: `${margin} 0px` },
+      { rootMargin: `${margin} 0px`, threshold: [0, SOME] },
     );
     observer.observe(element);
     observers.push(observer);
   };
   observe("0px");
+  // What grows from nothing is no news to them.
+  const sizes = new ResizeObserver(() => {
+    for (const observer of observers) {
+      observer.unobserve(element);
+      observer.observe(element);
+    }
+  });
+  sizes.observe(element);
   const stopReading = whenReading(() => observe(NEAR));
   const stop = () => {
     stopReading();
+    sizes.disconnect();
     for (const observer of observers) observer.disconnect();
     window.removeEventListener("beforeprint", come);
     paper?.removeEventListener("change", come);
@@ -62,3 +75,7 @@ export function whenNear(element: Element, near: () => void): () => void {
   paper?.addEventListener("change", come);
   return stop;
 }
+
+/** A poster that is not loaded yet may leave an element without a height. */
+const isToBeSeen = ({ isIntersecting, intersectionRect, boundingClientRect }: IntersectionObserverEntry): boolean =>
+  isIntersecting && intersectionRect.width > 0 && (intersectionRect.height > 0 || boundingClientRect.height === 0);
