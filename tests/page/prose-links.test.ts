@@ -190,3 +190,25 @@ test("a checkbox sets what it says and gives it back, and fields follow what is 
     await ready(page);
     assert.equal(await page.locator("#solver").inputValue(), "search");
   }));
+
+test("a number field takes a step as it may be typed, and left with another number shows the step that is shown", () =>
+  visit(async ({ page }) => {
+    const field = page.locator("#field");
+    await lesson(
+      page,
+      `<input id="field" type="number" data-mo-copp-for="one" data-mo-copp-show="step">`,
+      `problem="head-fake"`,
+    );
+    await ready(page, '[data-step="16"]');
+    await field.fill("1e1");
+    await ready(page, '[data-step="10"]');
+    for (const typed of ["-5", "", "1.5", "999"]) {
+      await field.fill(typed);
+      assert.equal(await field.inputValue(), typed);
+      await field.press("Tab");
+      assert.equal(await field.inputValue(), "10", typed);
+    }
+    await field.fill("3");
+    await ready(page, '[data-step="3"]');
+    assert.equal((await said(page).textContent())?.trim(), "");
+  }));

@@ -9,14 +9,22 @@ const isField = (part: Element): part is Field =>
 const isChoice = (part: Element): part is HTMLInputElement =>
   part instanceof HTMLInputElement && (part.type === "radio" || part.type === "checkbox");
 
+const isNumber = (part: Element): part is HTMLInputElement =>
+  part instanceof HTMLInputElement && part.type === "number";
+
 /** What a person has chosen or typed; null where there is nothing yet, as in a number that is being typed. */
 export function chosenIn(part: Element): string | null {
   if (!isField(part) || !part.validity.valid) return null;
   if (isChoice(part)) return part.checked ? part.value : null;
+  // A number may be typed as 1e1.
+  if (isNumber(part) && part.value !== "") return String(part.valueAsNumber);
   // An empty text is the plan without actions.
-  const nothing = part.value === "" && (part instanceof HTMLSelectElement || part.type === "number");
+  const nothing = part.value === "" && (part instanceof HTMLSelectElement || isNumber(part));
   return nothing ? null : part.value;
 }
+
+/** Whether a field is left with what is no number, or none that can be set. */
+export const isUnusable = (part: Element): boolean => isNumber(part) && chosenIn(part) === null;
 
 /** Whether a person has taken back what a field sets. */
 export const isUnchecked = (part: Element): boolean =>

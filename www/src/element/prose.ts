@@ -3,7 +3,7 @@
 // `data-mo-copp-show` what is shown or, in a field, shown and set.
 import { differenceText } from "../view/numbers.js";
 import { bringIntoView, isSeen } from "./into-view.js";
-import { chosenIn, isUnchecked, showIn } from "./prose-field.js";
+import { chosenIn, isUnchecked, isUnusable, showIn } from "./prose-field.js";
 
 const FOR = "data-mo-copp-for";
 const SET = "data-mo-copp-set-";
@@ -85,10 +85,16 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
     } else return;
     wake();
   };
+  /** A field that is left shows what is, and not what could not be. */
+  const left = (event: Event) => {
+    const part = partOf(event, parts());
+    if (part !== undefined && isUnusable(part)) write(part, host, told.get(host) ?? null);
+  };
   const listeners: [EventTarget, string, (event: Event) => void][] = [
     [host, "mo-copp-step", stepped],
     [root, "click", clicked],
     [root, "input", typed],
+    [root, "change", left],
   ];
   for (const [target, type, listener] of listeners) target.addEventListener(type, listener);
   // Not every change of the status has an event.
