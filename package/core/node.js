@@ -6,7 +6,7 @@ export { Problem } from "./load.js";
 
 export const load = (wasm) => loadFrom(() => wasm ?? readFile(new URL("./mo_copp_bg.wasm", import.meta.url)));
 
-export async function solve(document, options = { solver: "exact" }) {
+export async function solve(document, options) {
   await load();
   return solveLoaded(document, options);
 }

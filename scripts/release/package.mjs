@@ -54,9 +54,16 @@ function copyScripts() {
   }
   cpSync(join(dist, "mo-copp-playground.single.js"), to("single", "index.js"));
   for (const file of ["mo_copp.js", "mo_copp_bg.wasm"]) cpSync(join(wasmPackage, file), to("core", file));
-  // Only the newest libraries of TypeScript know what a `using` calls.
-  const types = readFileSync(join(wasmPackage, "mo_copp.d.ts"), "utf8");
-  writeFileSync(to("core", "mo_copp.d.ts"), types.replace(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, ""));
+  writeFileSync(to("core", "mo_copp.d.ts"), coreTypes(readFileSync(join(wasmPackage, "mo_copp.d.ts"), "utf8")));
+}
+
+/** The types of the bindings, without what only the newest libraries of TypeScript know (what a `using` calls), or those
+ * of a browser alone: how the bindings are loaded, which `load` does. */
+function coreTypes(text) {
+  const loading = text.indexOf("\nexport type InitInput");
+  if (loading === -1)
+    throw new Error("mo_copp.d.ts has no InitInput; expected that how the core is loaded begins there");
+  return text.slice(0, loading).replace(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, "");
 }
 
 /** Packs the package into `folder`; resolves to the exit code. */

@@ -17,7 +17,7 @@ import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { build } from "vite";
 import { childEnvironment } from "../../scripts/lib/environment.mjs";
-import { dist, root } from "../../scripts/lib/paths.mjs";
+import { dist, nodeModules, root } from "../../scripts/lib/paths.mjs";
 import { serve } from "../../scripts/lib/static-server.mjs";
 import { releaseFiles } from "../../scripts/release/files.mjs";
 import { buildPackage, packageFolder } from "../../scripts/release/package.mjs";
@@ -67,14 +67,63 @@ test("the solver solves in Node, and names what is wrong", () => {
     await load();
     const outcome = await solve(${grid()});
     const nothing = await solve(undefined).catch(({ message }) => message);
+    const bounded = await solve(${grid()}, { k: 2 });
     const refused = await solve({ format: "chess" }).catch((error) => error.message);
     const steps = new Problem(${JSON.stringify(grid())}).trace(outcome.plan).steps.length;
-    console.log(JSON.stringify({ status: outcome.status, steps, moves: outcome.plan.length, refused, nothing }));`);
-  const { status, steps, moves, refused, nothing } = JSON.parse(told);
+    console.log(JSON.stringify({ status: outcome.status, steps, moves: outcome.plan.length, refused, nothing, bounded: bounded.solver }));`);
+  const { status, steps, moves, refused, nothing, bounded } = JSON.parse(told);
   assert.equal(status, "optimal");
   assert.equal(steps, moves + 1);
   assert.match(refused, /found "chess", expected gridworld/);
   assert.equal(nothing, "“undefined” is no problem document; expected an object or its text.");
+  assert.equal(bounded, "exact");
+});
+
+test("a problem may be given as an object, and what can't be read is said in a sentence", () => {
+  const told = program(`
+    import { load, Problem } from "mo-copp/core";
+    const why = (document) => {
+      try {
+        return new Problem(document).scene().format;
+      } catch ({ message }) {
+        return message;
+      }
+    };
+    const early = why("{}");
+    await load();
+    const round = {};
+    round.self = round;
+    const given = [undefined, 1n, round, Symbol("s"), null, 3, ${grid()}];
+    console.log(JSON.stringify([early, ...given.map(why)]));`);
+  const [early, nothing, big, round, symbol, none, number, whole] = JSON.parse(told);
+  assert.match(early, /not loaded yet; expected “await load/);
+  assert.match(nothing, /^“undefined” is no problem document; expected/);
+  for (const text of [big, round]) assert.match(text, /is no problem document; expected/);
+  assert.match(symbol, /^“Symbol\(s\)” is no problem document/);
+  for (const text of [none, number]) assert.match(text, /found .*expected/);
+  assert.equal(whole, "gridworld");
+});
+
+test("the solver's types need no browser", () => {
+  writeFileSync(
+    join(folder, "solver.ts"),
+    `import { load, Problem, solve, type Outcome } from "mo-copp/core";
+     void load(new Uint8Array());
+     // @ts-expect-error no bytes, and no address
+     void load(3);
+     const run = new Problem({ format: "gridworld" }).solve({ k: 2 });
+     export const outcome: Promise<Outcome> = run.advance(1) ? solve("{}", { j: 1 }) : solve({}, { solver: "ip" });`,
+  );
+  const types = join(nodeModules, "@types");
+  const options = ["--noEmit", "--strict", "--module", "nodenext", "--target", "es2022", "--lib", "es2022"];
+  for (const others of [
+    ["--types", "node", "--typeRoots", types],
+    ["--types", ""],
+    ["--types", "", "--lib", "es2022,dom"],
+  ]) {
+    const { status, stdout } = run("tsc", [...options, ...others, "solver.ts"], folder);
+    assert.equal(status, 0, stdout);
+  }
 });
 
 test("its types fit, and are those that the element has", () => {
