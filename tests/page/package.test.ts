@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import {
+  copyFileSync,
   existsSync,
   mkdirSync,
   mkdtempSync,
@@ -301,6 +302,38 @@ test("a bundler may give its files other names: every one of them is found, and 
       assert.equal((await full).status(), 200);
       assert.deepEqual(missing, []);
     });
+  } finally {
+    server.close();
+    server.closeAllConnections();
+  }
+});
+
+test("a bundler that leaves files behind is helped by a copy, as the guide says, and without it they are named", async () => {
+  const bundled = join(folder, "left");
+  writeFileSync(join(folder, "element.js"), `import "mo-copp";`);
+  const made = run("rolldown", ["element.js", "-d", bundled, "--format", "esm"], folder);
+  assert.equal(made.status, 0, made.stderr);
+  writeFileSync(
+    join(bundled, "index.html"),
+    `<!doctype html><title>Bundled</title><script type="module" src="element.js"></script>
+     <mo-copp-playground><script type="application/json">${grid()}</script></mo-copp-playground>`,
+  );
+  const { server, address } = await serve(bundled);
+  try {
+    await visit(
+      async ({ page }) => {
+        await page.goto("about:blank");
+        await page.goto(address);
+        const missing = page.getByText(/could not be started: http.*solver\.worker-.*\.js was answered with 404/);
+        await missing.waitFor();
+        const assets = join(packageFolder, "element", "assets");
+        for (const file of readdirSync(assets).filter((name) => /\.wasm$|^solver\.worker-/.test(name)))
+          copyFileSync(join(assets, file), join(bundled, file));
+        await page.getByRole("button", { name: "Try again" }).click();
+        await page.waitForSelector('mo-copp-playground[data-status="optimal"]');
+      },
+      { quiet: false },
+    );
   } finally {
     server.close();
     server.closeAllConnections();

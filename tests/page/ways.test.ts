@@ -222,9 +222,26 @@ test("a worker that is forbidden, wasm that is forbidden, an address that answer
     { quiet: false },
   ));
 
-test("where the page requires Trusted Types the folder runs, and what its policy must allow is said", () =>
+test("in a page that is sent as XHTML a sentence takes the playground's place", () =>
   visit(
     async ({ page }) => {
+      home.own.set("lesson/way.xhtml", {
+        body: `<html xmlns="http://www.w3.org/1999/xhtml" lang="en"><head><title>Way</title><link rel="icon" href="data:,"/>
+          ${single}</head><body><mo-copp-playground id="one">${inline}</mo-copp-playground></body></html>`,
+        headers: { "Content-Type": "application/xhtml+xml" },
+      });
+      await page.goto(`${home.address}lesson/way.xhtml`);
+      const alert = page.locator("#one").getByRole("alert");
+      await alert.getByText("in a page that is sent as application/xhtml+xml; expected text/html.").waitFor();
+      assert.equal(await alert.getByRole("button").count(), 0);
+      await page.waitForSelector("#one[data-status=error]");
+    },
+    { quiet: false },
+  ));
+
+test("where the page requires Trusted Types the folder runs, and what its policy must allow is said", () =>
+  visit(
+    async ({ page, errors }) => {
       const alert = page.locator("#one").getByRole("alert").first();
       const required = `${sameHost}; require-trusted-types-for 'script'`;
       for (const policy of [required, `${required}; trusted-types lit-html mo-copp`]) {
@@ -233,6 +250,8 @@ test("where the page requires Trusted Types the folder runs, and what its policy
         await page.locator("#one").getByRole("tab", { name: "Document" }).click();
         await page.locator("#one .cm-content").waitFor();
       }
+      // Nothing is refused, and so nothing is reported.
+      assert.deepEqual(errors, []);
       await host(page, own + one, `${required}; trusted-types lit-html`);
       await alert.getByText("trusted-types of the page’s content policy must allow mo-copp").waitFor();
       await host(page, own + one, `${required}; trusted-types 'none'`);

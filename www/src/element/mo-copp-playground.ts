@@ -2,7 +2,7 @@
 // its own the page. Only on the stand-alone page, which is the playground's own, it is drawn into the document
 // (`root="page"`). docs/embedding.md lists attributes, properties, events and parts.
 import { adopt, adoptAgain } from "./adopt.js";
-import { PlaygroundElement } from "./playground-element.js";
+import { PlaygroundElement, Unfit } from "./playground-element.js";
 import { followInProse } from "./prose.js";
 import { Theme } from "./theme.js";
 import { probe, probeStyle } from "./theme-probe.js";
@@ -201,6 +201,7 @@ export class MoCoppPlayground extends PlaygroundElement {
 
   protected override failed(error: unknown, again: () => void): void {
     const forbidden = /TrustedType/.test(String(error));
+    const unfit = error instanceof Unfit;
     const retry = () => {
       this.#retried = true;
       again();
@@ -208,7 +209,8 @@ export class MoCoppPlayground extends PlaygroundElement {
     const text = document.createElement("p");
     text.className = "failure";
     text.setAttribute("role", "alert");
-    if (forbidden)
+    if (unfit) text.textContent = error.message;
+    else if (forbidden)
       text.textContent =
         "The playground cannot run here: trusted-types of the page’s content policy must allow lit-html and mo-copp.";
     else

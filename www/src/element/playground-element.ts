@@ -19,6 +19,9 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 /** Settles when the playground that came last in the page has begun, or failed to. */
 let lastBegun: Promise<void> = Promise.resolve();
 
+/** The page is none that a playground can be drawn in; the message says why. */
+export class Unfit extends Error {}
+
 export abstract class PlaygroundElement extends Base {
   /** A form sends the code of the last answer to an exercise. */
   static readonly formAssociated = true;
@@ -208,6 +211,11 @@ export abstract class PlaygroundElement extends Base {
 
   /** The first of a page goes first, whichever is loaded first: the page's address and keys are its own. */
   async #begin(earlier: Promise<void>): Promise<void> {
+    // What draws the playground writes HTML, which such a page reads as XML.
+    if (document.contentType !== "text/html")
+      throw new Unfit(
+        `The playground cannot be drawn in a page that is sent as ${document.contentType}; expected text/html.`,
+      );
     // The first picture is a turn of its own, not the end of the one that reads the page's code.
     await Promise.all([whenParsed(), nextTurn()]);
     const [Loaded] = await Promise.all([this.load(), earlier]);

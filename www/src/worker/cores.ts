@@ -135,7 +135,9 @@ type CoreFile = string | BufferSource;
 /** A host may answer with something else, and that is no broken core. */
 async function comes(core: CoreFile): Promise<Response | BufferSource> {
   if (typeof core !== "string") return core;
-  const response = await fetch(core);
+  const response = await fetch(core).catch(() => {
+    throw new NotLoaded(`${core} could not be loaded. ${CHECK.replace(/\.$/, "")}`);
+  });
   const fault = faultOf(response);
   if (fault !== null) throw new NotLoaded(fault);
   return response;

@@ -3,6 +3,8 @@
 // which has the policy of the page.
 
 import type { SolverWorker } from "./later.js";
+import { NotLoaded } from "./not-loaded.js";
+import { chosenPlaces } from "./places.js";
 import { whyForbidden } from "./policy.js";
 
 export class Refusable implements SolverWorker {
@@ -50,9 +52,9 @@ export class Refusable implements SolverWorker {
     let copy: SolverWorker;
     try {
       copy = await this.copy();
-    } catch {
+    } catch (error) {
       // The script is not to be had at all.
-      if (!this.ended) this.onerror?.call(before, refused);
+      if (!this.ended) this.onerror?.call(before, this.says(error) ?? refused);
       return;
     }
     before.terminate();
@@ -65,5 +67,11 @@ export class Refusable implements SolverWorker {
     copy.onerror = (event) => this.onerror?.call(copy as Worker, event);
     for (const message of this.unheard ?? []) copy.postMessage(message);
     this.unheard = null;
+  }
+
+  /** Which address did not come; one that the page itself places is said with its attribute (client.ts). */
+  private says(error: unknown): ErrorEvent | null {
+    if (!(error instanceof NotLoaded) || chosenPlaces().worker !== null) return null;
+    return new ErrorEvent("error", { message: error.message, error, cancelable: true });
   }
 }

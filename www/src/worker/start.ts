@@ -5,16 +5,16 @@ import { NAME } from "./names.js";
 import { chosenPlaces } from "./places.js";
 import type { CoreMessage } from "./protocol.js";
 import { Refusable } from "./refusable.js";
+import { startTrusted } from "./trusted.js";
 
 export type { SolverWorker };
 
 export function startWorker(): SolverWorker {
   if (isElsewhere()) return elsewhere();
-  let worker: Worker;
+  let worker: globalThis.Worker;
   try {
-    worker = new Worker(new URL("./solver.worker.ts", import.meta.url), { type: "module", name: NAME });
+    worker = new Worker(new URL("./solver.worker.ts", import.meta.url), { type: "module", name: NAME }).started;
   } catch {
-    // As where the page requires Trusted Types.
     return elsewhere();
   }
   // A bundler that takes the element in gives files new names, and tells them to modules of the page alone.
@@ -23,6 +23,15 @@ export function startWorker(): SolverWorker {
   worker.postMessage({ kind: "light", core: light } satisfies CoreMessage);
   worker.postMessage({ kind: "full", core: full } satisfies CoreMessage);
   return new Refusable(worker, () => import("./elsewhere.js").then(({ startCopy }) => startCopy()));
+}
+
+/** Under this name a bundler finds the script of a worker. */
+class Worker {
+  readonly started: globalThis.Worker;
+
+  constructor(address: URL, options: WorkerOptions) {
+    this.started = startTrusted(address, options);
+  }
 }
 
 const elsewhere = (): SolverWorker =>

@@ -9,21 +9,28 @@ interface Factory {
   createPolicy(name: string, rules: Policy): Policy;
 }
 
-let policy: Policy | undefined;
+/** Undefined before it was asked for, and null where the browser knows none or the page allows none. */
+let policy: Policy | null | undefined;
 
-/** A page that requires nothing may forbid policies all the same: one is made only after an address was refused. */
+/** The policy comes first: what a page refuses is reported to its host, also where another way is found. */
+function policyOf(factory: Factory | undefined): Policy | null {
+  try {
+    return factory?.createPolicy("mo-copp", { createScriptURL: (own) => own }) ?? null;
+  } catch {
+    // A page that requires nothing may forbid policies all the same.
+    return null;
+  }
+}
+
+const factory = () => (globalThis as { trustedTypes?: Factory }).trustedTypes;
+
 export function startTrusted(address: string | URL, options: WorkerOptions): Worker {
-  const { trustedTypes } = globalThis as { trustedTypes?: Factory };
-  if (policy !== undefined) return new Worker(policy.createScriptURL(String(address)), options);
+  policy ??= policyOf(factory());
+  if (policy !== null) return new Worker(policy.createScriptURL(String(address)), options);
   try {
     return new Worker(address, options);
   } catch (error) {
-    if (trustedTypes === undefined || !(error instanceof TypeError)) throw error;
-  }
-  try {
-    policy = trustedTypes.createPolicy("mo-copp", { createScriptURL: (own) => own });
-  } catch {
+    if (factory() === undefined || !(error instanceof TypeError)) throw error;
     throw new NotLoaded("trusted-types of the page’s content policy must allow mo-copp");
   }
-  return new Worker(policy.createScriptURL(String(address)), options);
 }
