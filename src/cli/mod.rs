@@ -21,15 +21,15 @@ mod remedy;
 mod sensor;
 mod solve;
 mod trace;
+mod usage;
 
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
-use clap::Parser;
 use mo_copp::document::is_hidden;
 use mo_copp::plan::PlanError;
 
-use args::{Command, CommandLine};
+use args::Command;
 use error::CliError;
 
 /// There is no plan.
@@ -43,7 +43,7 @@ const DEFECT: u8 = 101;
 
 /// Runs the command; the exit code says how it went.
 pub fn main() -> ExitCode {
-    let done = match CommandLine::parse().command {
+    let done = match usage::command_line().command {
         Command::Solve(args) => solve::run(&args),
         Command::Trace(args) => unless_stopped(move || trace::run(&args)),
         Command::Encode(args) => unless_stopped(move || encode::run(&args)),

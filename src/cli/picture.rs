@@ -37,18 +37,30 @@ pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
 
 /// Programs go by the end of a name: SVG under another one is a file that none of them opens.
 fn named_as_svg(file: &Path) -> Result<(), CliError> {
-    const OTHERS: [&str; 9] = ["png", "jpg", "jpeg", "gif", "webp", "avif", "bmp", "pdf", "eps"];
     let end = file.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
-    if !OTHERS.contains(&&*end) {
+    let Some(others) = programs_for(&end) else {
         return Ok(());
-    }
+    };
     let svg = file.with_extension("svg");
-    let expected = format!(
-        "the name of an SVG file, as {:?}, of which other programs make {}: rsvg-convert --zoom 2, or inkscape",
-        svg.display().to_string(),
-        end.to_uppercase()
-    );
+    let expected = format!("the name of an SVG file, as {:?}, {others}", svg.display().to_string());
     Err(OptionsError::new("out", format!("{:?}", file.display().to_string()), expected).into())
+}
+
+/// What makes a picture of another format of an SVG; nothing for names that say no such format.
+fn programs_for(end: &str) -> Option<String> {
+    let format = end.to_uppercase();
+    match end {
+        "png" | "pdf" | "eps" => Some(format!(
+            "of which other programs make {format}: rsvg-convert --zoom 2, or inkscape"
+        )),
+        "gif" => {
+            Some("which moves in a browser with --animate; this program makes no GIF".to_owned())
+        }
+        "jpg" | "jpeg" | "webp" | "avif" | "bmp" => Some(format!(
+            "of which other programs make {format}: ImageMagick (magick), from a PNG by rsvg-convert --zoom 2"
+        )),
+        _ => None,
+    }
 }
 
 /// `all`, `actor` or the name of an observer.
@@ -57,8 +69,9 @@ fn boards(name: &str, problem: &Problem) -> Result<Boards, CliError> {
         "all" => Ok(Boards::All),
         "actor" => Ok(Boards::Actor),
         name => problem.observer_named(name).map(Boards::Observer).ok_or_else(|| {
-            let names: Vec<&str> = problem.observers().iter().map(|o| o.name.as_str()).collect();
-            let expected = format!("all, actor or {}", names.join(" or "));
+            let observers = problem.observers().iter().map(|observer| observer.name.as_str());
+            let names: Vec<&str> = ["all", "actor"].into_iter().chain(observers).collect();
+            let expected = format!("one of {}", names.join(", "));
             OptionsError::new("board", format!("{name:?}"), expected).into()
         }),
     }

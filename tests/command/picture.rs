@@ -23,13 +23,39 @@ fn a_file_is_what_its_name_says() {
         let (code, err, text) = drawn(name);
         assert_eq!((code, err.as_str(), text.as_deref()), (0, "", Some(&*printed)), "{name}");
     }
-    for (name, format) in [("picture.png", "PNG"), ("picture.Pdf", "PDF"), ("picture.gif", "GIF")] {
+    for (name, words) in [
+        ("picture.png", "of which other programs make PNG: rsvg-convert"),
+        ("picture.Pdf", "of which other programs make PDF: rsvg-convert"),
+        ("picture.webp", "of which other programs make WEBP: ImageMagick"),
+        ("picture.gif", "which moves in a browser with --animate; this program makes no GIF"),
+    ] {
         let (code, err, text) = drawn(name);
         assert_eq!((code, text), (2, None), "{name}");
         assert!(
             err.contains(&format!("{name}\", expected the name of an SVG file, as \"")),
             "{err}"
         );
-        assert!(err.contains(&format!("of which other programs make {format}: ")), "{err}");
+        assert!(err.contains(words), "{err}");
     }
+}
+
+#[test]
+fn what_an_argument_should_have_been_is_said() {
+    let said = |args: &[&str]| {
+        let ran = mo_copp(&corridor(), &[&["picture", "-"], args].concat());
+        assert_eq!((ran.code, ran.out.as_str()), (2, ""), "{args:?}");
+        ran.err
+    };
+    for step in ["--step=-1", "--step=x", "--step=", "--step=1.5", "--milliseconds=x"] {
+        let animated: &[&str] = if step.starts_with("--m") { &["--animate"] } else { &[] };
+        let err = said(&[&[step], animated].concat());
+        let (name, value) = step.split_once('=').unwrap();
+        assert!(err.contains(&format!("'{value}' for '{name} <")), "{err}");
+        assert!(err.contains("expected a whole number from 0"), "{err}");
+    }
+    let err = said(&["--step", "99999999999999999999999"]);
+    assert!(err.contains("for '--step <N>': expected a smaller number"), "{err}");
+    let err = said(&["--board", "nope"]);
+    let expected = "found \"nope\", expected one of all, actor, adversarial, cooperative";
+    assert!(err.contains(expected), "{err}");
 }
