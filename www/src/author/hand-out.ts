@@ -5,7 +5,7 @@ import { LONGEST_LINK, MOST_TEXT, pack } from "../share/packed.js";
 import { restore } from "../share/restore.js";
 import { stateOf } from "../share/shared-state.js";
 import { download } from "../view/download.js";
-import { objectionWords } from "./objections.js";
+import { isSound, objectionWords } from "./objections.js";
 import { shownOn } from "./shown.js";
 import type { AuthorPanelStores } from "./stores.js";
 
@@ -49,7 +49,7 @@ export function documentOf(playground: AuthorPanelStores): string | null {
   return JSON.stringify({ ...document, exercise: playground.exerciseDraft.block(shown) }, null, 2);
 }
 
-/** An exercise that is wrong stays in the form, with the word of why; one that is trivial, or has poor variants, until it is asked for again. */
+/** An exercise that is wrong stays in the form, with the word of why; one that is trivial, has poor variants or a long list of states, until it is asked for again. */
 async function checked(playground: AuthorPanelStores, handOn: (text: string) => unknown): Promise<void> {
   const text = documentOf(playground);
   if (text === null) return;
@@ -58,7 +58,7 @@ async function checked(playground: AuthorPanelStores, handOn: (text: string) => 
   const proof = await exercise.prove(text);
   if (proof === null) return;
   const warned = known?.text === text && known.fault === null;
-  const sound = proof.fault === null && proof.remarks.length === 0 && proof.variants.length === 0;
+  const sound = isSound(proof);
   const right = sound || (proof.fault === null && warned);
   draft.objection.value = sound ? null : { text, ...proof };
   if (right) await handOn(text);

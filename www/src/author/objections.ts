@@ -1,5 +1,7 @@
 // Why an exercise is not handed out, in the words of the form that makes it.
+import type { Proof } from "../state/exercise.js";
 import type { Objection } from "../state/exercise-draft.js";
+import { wholeNumber } from "../view/numbers.js";
 
 /** The fields of the form by the keys of the block. */
 const fields: Record<string, string> = {
@@ -36,9 +38,19 @@ const reasons: readonly [RegExp, (...found: string[]) => string][] = [
 
 const again = "Press the button again to hand it out all the same.";
 
+/** More states are a list in which they are searched for. */
+const MOST_STATES = 100;
+
+const crowded = (states: number): string =>
+  `A student chooses among ${wholeNumber(states)} states: a smaller floor, more walls or fewer battery levels leave fewer, and the question which goals are possible takes none.`;
+
+/** Whether there is nothing to say of an exercise before it is handed out. */
+export const isSound = ({ fault, remarks, variants, states }: Proof): boolean =>
+  fault === null && remarks.length === 0 && variants.length === 0 && states <= MOST_STATES;
+
 /** `typed`: what stands in fields for numbers, by the keys of the block. */
 export function objectionWords(
-  { fault, remarks, variants }: Pick<Objection, "fault" | "remarks" | "variants">,
+  { fault, remarks, variants, states }: Pick<Objection, "fault" | "remarks" | "variants" | "states">,
   typed: Readonly<Record<string, string | null>> = {},
 ): string {
   if (fault !== null) return faultWords(fault, typed);
@@ -46,6 +58,7 @@ export function objectionWords(
     ...(remarks.length === 0 ? [] : [`This question is trivial: ${remarks.join("; ")}.`]),
     ...(variants.length === 0 ? [] : [`Of what is other for each student: ${variants.join("; ")}.`]),
   ];
+  if (states > MOST_STATES) said.push(crowded(states));
   return said.length === 0 ? "" : [...said, again].join(" ");
 }
 

@@ -1,10 +1,10 @@
 // A grid of cells to choose from, walked through by the arrow keys.
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import type { Question, State } from "../core.js";
 import { cellText } from "../problem/cells.js";
 import { times } from "../problem/times.js";
 import type { Exercise } from "../state/exercise.js";
-import { floorOf } from "./floor.js";
+import { type Floor, floorOf, signs } from "./floor.js";
 
 type Cell = [column: number, row: number];
 
@@ -36,7 +36,15 @@ export function cellGrid(exercise: Exercise, question: Question): TemplateResult
       ${edge("")} ${columns.map(edge)}
       ${rows.map((row) => [edge(row), ...columns.map((column) => cellButton(exercise, [column, row], at, floor?.marks.get(`${column},${row}`) ?? []))])}
     </div>
+    ${meaning(floor)}
   </fieldset>`;
+}
+
+/** What the signs in the cells mean; goals have their names. */
+function meaning(floor: Floor | null): TemplateResult | typeof nothing {
+  const words = new Map([...(floor?.marks.values() ?? [])].flat().map(({ sign, word }) => [sign, word]));
+  const meant = Object.values(signs).flatMap((sign) => (words.has(sign) ? [`${sign} ${words.get(sign)}`] : []));
+  return meant.length === 0 ? nothing : html`<p class="signs" aria-hidden="true">${meant.join(" · ")}</p>`;
 }
 
 /** A column's or a row's number, as cells are named in what is said of an answer; each cell's own name has both. */

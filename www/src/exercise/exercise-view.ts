@@ -25,6 +25,7 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
   const tried = exerciseDraft.tried.value;
   return html`<section class="card exercise" part="exercise" aria-labelledby="exercise-title" data-kind=${question.kind}
       data-seed=${question.seed}>
+    <fieldset class="whole" role="presentation" ?disabled=${exercise.disabled.value}>
     <h2 id="exercise-title">${question.title ?? "Exercise"}</h2>
     ${question.introduction === undefined ? nothing : html`<p class="introduction">${question.introduction}</p>`}
     ${exercise.asksName.value ? nameForm(exercise) : nothing}
@@ -42,6 +43,7 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
         ? nothing
         : html`<p><button type="button" @click=${() => void edits.leaveExercise()}>Open the problem in the playground</button></p>`
     }
+    </fieldset>
   </section>`;
 }
 
@@ -51,7 +53,7 @@ const asked = (
   question: Question,
 ): TemplateResult => html`<p class="question" id="exercise-question">${question.question}</p>
     <div class="asked">
-      <div class="picture">${pictures(exercise, question)} ${problemInWords(question)}</div>
+      <div class="picture">${pictures(exercise, question)} ${pictureSigns(question)} ${problemInWords(question)}</div>
       <form class="answer" aria-describedby="exercise-question" @submit=${(event: Event) => event.preventDefault()}>
         ${answerForm(exercise, question)}
         <div class="actions">
@@ -84,6 +86,18 @@ function pictures(exercise: Exercise, question: Question): TemplateResult {
   )}</div>`;
 }
 
+const beginnings: Record<string, string> = {
+  gridworld: "○ start",
+  "box-pushing": "○ start of the robot · □ where the box begins, once it is elsewhere",
+  "recycling-robot": "○ start of the robot · ▯ where the can begins, once it is elsewhere · ϟ charger",
+};
+
+/** What the faint signs of the pictures mean: where everything begins. */
+function pictureSigns({ document }: Question): TemplateResult | typeof nothing {
+  const signs = beginnings[(document as { format?: string }).format ?? ""];
+  return signs === undefined ? nothing : html`<p class="signs">${signs}</p>`;
+}
+
 function tally({ attempts }: Exercise, question: Question): string {
   const made = attempts.value;
   if (question.attempts === undefined) return made === 0 ? "" : `${counted(made, "attempt")} so far.`;
@@ -106,12 +120,14 @@ function hints(exercise: Exercise, question: Question): TemplateResult | typeof 
   )}</ol>`;
 }
 
-const empty = "Nothing is chosen. If that is your answer, check it again.";
+/** What is said of an answer without any choice. */
+const empty = (needsChoice: boolean): string =>
+  needsChoice ? "Nothing is chosen yet." : "Nothing is chosen. If that is your answer, check it again.";
 
-function said({ verdict, error, checking, unsure }: Exercise): TemplateResult | string {
+function said({ verdict, error, checking, unsure, needsChoice }: Exercise): TemplateResult | string {
   if (checking.value) return "Checking…";
   if (error.value !== null) return html`<p>${error.value}</p>`;
-  if (unsure.value) return html`<p>${empty}</p>`;
+  if (unsure.value) return html`<p>${empty(needsChoice.value)}</p>`;
   return verdict.value === null ? "" : judged(verdict.value);
 }
 

@@ -13,4 +13,5 @@ export function stateText(state: State): string {
   return typeof first === "number" ? placeText(state) : state.map((fact) => actionText(String(fact))).join(", ");
 }
 
-const placeText = (value: unknown): string => (Array.isArray(value) ? cellText(value as number[]) : String(value));
+export const placeText = (value: unknown): string =>
+  Array.isArray(value) ? cellText(value as number[]) : String(value);

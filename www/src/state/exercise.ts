@@ -39,6 +39,8 @@ export interface Proof {
   remarks: readonly string[];
   /** What its author should know of its variants. */
   variants: readonly string[];
+  /** How many states a student chooses from. */
+  states: number;
 }
 
 export class Exercise {
@@ -51,6 +53,8 @@ export class Exercise {
   readonly next = signal<readonly NextAction[] | null>(null);
   /** The end of the walk that is being given. */
   readonly last = signal<TraceStep | null>(null);
+  /** What is searched for in a long list of choices. */
+  readonly filter = signal("");
   /** The choice that has the focus of a grid of choices. */
   readonly cursor = signal(0);
   readonly copier = new Copier();
@@ -66,10 +70,14 @@ export class Exercise {
   /** Something went wrong. */
   readonly error = signal<string | null>(null);
   readonly checking = signal(false);
-  /** An answer without any choice was to be checked: it is when it is asked for again. */
+  /** The page lets no answer be given. */
+  readonly disabled = signal(false);
+  /** An answer without any choice was to be checked: where it may be one, it is when it is asked for again. */
   readonly unsure = signal(false);
   /** Whether another answer may be tried. */
   readonly canTry: ReadonlySignal<boolean>;
+  /** Whether an answer must have a choice: some state is always possible, and one goal or cell is asked for. */
+  readonly needsChoice: ReadonlySignal<boolean>;
   /** The name whose question is shown; empty: the question without a name; null: none was given. */
   readonly name = signal<string | null>(null);
   /** Whether the question that was asked for last could not be: nothing of its problem may be shown in its place. */
@@ -93,16 +101,16 @@ export class Exercise {
 
   constructor() {
     this.asksName = computed(() => (this.posed.value?.question.varies ?? false) && this.posed.value?.anyone === true);
+    this.needsChoice = computed(() => {
+      const { arity, choice } = this.posed.value?.question.form ?? {};
+      return arity === "one" || choice === "state";
+    });
     this.canTry = computed(() => {
       const question = this.posed.value?.question;
       if (this.asksName.value && this.name.value === null) return false;
       if (question === undefined || this.checking.value || this.opening.value) return false;
-      const { arity, choice } = question.form;
-      const made = this.choices.value.length;
-      // Some state is always possible.
-      const enough = arity === "one" ? made === 1 : choice !== "state" || made > 0;
       const left = question.attempts === undefined || this.attempts.value < question.attempts;
-      return enough && left && this.verdict.value === null;
+      return left && !this.disabled.value && this.verdict.value === null;
     });
   }
 
@@ -144,6 +152,7 @@ export class Exercise {
       this.next.value = null;
       this.last.value = null;
       this.cursor.value = 0;
+      this.filter.value = "";
       this.forget();
     });
     void this.draw();
@@ -169,7 +178,7 @@ export class Exercise {
     const ending = await this.runner.run({ kind: "prove", document: text });
     if (ending.kind === "stale") return null;
     if (ending.kind === "proved") return ending;
-    return { fault: { message: messageOf(ending) }, remarks: [], variants: [] };
+    return { fault: { message: messageOf(ending) }, remarks: [], variants: [], states: 0 };
   }
 
   /** Gives up a question that is on its way. */
@@ -266,7 +275,8 @@ export class Exercise {
   async check(): Promise<void> {
     const posed = this.posed.value;
     if (posed === null || !this.canTry.value) return;
-    if (this.choices.value.length === 0 && !this.unsure.value) {
+    const isEmpty = this.choices.value.length === 0;
+    if (isEmpty && (this.needsChoice.value || !this.unsure.value)) {
       this.unsure.value = true;
       return;
     }

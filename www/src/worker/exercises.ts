@@ -29,11 +29,13 @@ export function proved(core: Core, { document }: Of<"prove">): Answer {
     const exercise = exerciseOf(core, document, 0);
     const { solution } = exercise.solution();
     const variants = exercise.sample(document)?.remarks ?? [];
-    return { kind: "proved", fault: null, remarks: solution?.remarks ?? [], variants };
+    const { choice, choices } = exercise.question().form;
+    const states = choice === "state" ? choices.length : 0;
+    return { kind: "proved", fault: null, remarks: solution?.remarks ?? [], variants, states };
   } catch (error) {
     const fault = faultIn(error);
     if (fault === null) throw error;
-    return { kind: "proved", fault, remarks: [], variants: [] };
+    return { kind: "proved", fault, remarks: [], variants: [], states: 0 };
   }
 }
 

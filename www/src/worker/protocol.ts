@@ -87,7 +87,8 @@ export type Answer =
   | { kind: "advised"; advice: Advice }
   | { kind: "drawn"; svg: string }
   | { kind: "asked"; question: Question }
-  | { kind: "proved"; fault: Fault | null; remarks: readonly string[]; variants: readonly string[] }
+  /** `states`: how many there are to choose from, where the answer is made of states. */
+  | { kind: "proved"; fault: Fault | null; remarks: readonly string[]; variants: readonly string[]; states: number }
   | { kind: "judged"; verdict: ExerciseVerdict }
   | { kind: "sketched"; pictures: string[]; next: NextAction[]; last: TraceStep | null }
   /** The document, the plan or the options are wrong: `message` is for the person to read. `unloaded`: nothing is wrong

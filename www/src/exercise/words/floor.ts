@@ -1,0 +1,73 @@
+// Problems on a floor in words: gridworld, box pushing, the recycling robot.
+import type { State } from "../../core.js";
+import { cellText } from "../../problem/cells.js";
+import type { FloorDocument, Role } from "../../problem/types.js";
+import { roles } from "../../view/observers.js";
+import { placeText, stateText } from "../state-text.js";
+import { listed, toldText, trueGoalText, who } from "./sensor.js";
+
+type Parts = Record<string, unknown>;
+
+interface Watcher {
+  initial_belief?: readonly unknown[];
+  cameras?: readonly (readonly number[])[];
+  sensor: Record<string, string>;
+}
+
+const cells = (list: readonly (readonly number[])[]): string => list.map(cellText).join("; ");
+
+/** What a goal is about. */
+const inGoal: Record<FloorDocument["format"], string> = {
+  gridworld: "Goals, each a cell for the agent",
+  "box-pushing": "Goals, each a cell for the box",
+  "recycling-robot": "Goals, each a cell for the can: there is a bin",
+};
+
+export function floorInWords(document: FloorDocument): string[] {
+  const { width, height, walls = [], goals, true_goal, observers } = document;
+  return [
+    `${width} columns from the left, ${height} rows from the top, both counted from 0.`,
+    ...(walls.length === 0 ? [] : [`Walls: ${cells(walls)}.`]),
+    ...startOf(document),
+    `${inGoal[document.format]}: ${goals.map(({ name, cell }) => `${name} at ${cellText(cell)}`).join("; ")}.`,
+    ...trueGoalText(true_goal),
+    ...roles.map((role) => watcherText(role, observers[role], document.start)),
+  ];
+}
+
+function startOf(document: FloorDocument): string[] {
+  if (document.format === "gridworld") return [`Start: ${cellText(document.start)}.`];
+  if (document.format === "box-pushing") {
+    const { robot, facing, box } = document.start;
+    return [`The robot begins at ${cellText(robot)} and faces ${facing}.`, `The box begins at ${cellText(box)}.`];
+  }
+  const { robot, battery, can } = document.start;
+  const full = document.battery_levels - 1;
+  return [
+    `The robot begins at ${cellText(robot)} with battery ${battery} of ${full}; a move takes one.`,
+    can === "held" ? "The robot holds the can at first." : `The can begins at ${cellText(can)}.`,
+    `The charger: ${cellText(document.charger)}.`,
+  ];
+}
+
+function watcherText(role: Role, { sensor, cameras = [], initial_belief }: Watcher, start: unknown): string {
+  const watched =
+    cameras.length === 0 ? "" : ` Its cameras: ${cells(cameras)}; there it is told the very cell instead.`;
+  const begins = initial_belief === undefined ? "knows the start" : beliefText(initial_belief, start);
+  return `${who(role)} ${begins}. It is told ${toldText(Object.entries(sensor))}.${watched}`;
+}
+
+/** A first belief: what is doubtful of the start, where that is one part, else the states one by one. */
+function beliefText(states: readonly unknown[], start: unknown): string {
+  if (Array.isArray(start)) return `believes at first that the start is one of: ${cells(states as number[][])}`;
+  const parts = Object.keys(start as Parts).filter((key) =>
+    states.some((state) => JSON.stringify((state as Parts)[key]) !== JSON.stringify((start as Parts)[key])),
+  );
+  const [part] = parts;
+  if (part === undefined) return "knows the start";
+  if (parts.length > 1)
+    return `believes at first that it begins in one of these states: ${states.map((state) => stateText(state as State)).join("; ")}`;
+  const values = states.map((state) => placeText((state as Parts)[part]));
+  const separator = values.some((value) => value.includes(",")) ? `: ${values.join("; ")}` : ` ${listed(values)}`;
+  return `knows how all begins but for one part, ${part}, which is one of${separator}`;
+}

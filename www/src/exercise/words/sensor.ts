@@ -1,0 +1,26 @@
+// What an observer is told, and what it knows at first, in words.
+import { called, type Role } from "../../view/observers.js";
+
+/** A problem in words. */
+export interface InWords {
+  sentences: readonly string[];
+  /** Texts that are read as they are, each with its title. */
+  texts?: readonly { title: string; text: string }[];
+}
+
+export const who = (role: Role): string => `The ${called[role]}`;
+
+/** "“vertical” for north and south". */
+export function toldText(symbols: readonly (readonly [action: string, symbol: string])[]): string {
+  const bySymbol = new Map<string, string[]>();
+  for (const [action, symbol] of symbols) bySymbol.set(symbol, [...(bySymbol.get(symbol) ?? []), action]);
+  return [...bySymbol].map(([symbol, actions]) => `“${symbol}” for ${listed(actions)}`).join("; ");
+}
+
+/** "one", "one and two", "one, two and three". */
+export const listed = (names: readonly string[]): string =>
+  names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
+
+/** The sentence of the true goal, unless it is to be guessed. */
+export const trueGoalText = (name: string | undefined): string[] =>
+  name === undefined ? [] : [`The true goal: ${name}.`];
