@@ -85,6 +85,20 @@ export declare class MoCoppPlayground extends HTMLElement {
   get wasmUrl(): Text;
   set wasmUrl(value: Given);
   watch: boolean;
+  /** A form is not sent before an answer was checked. */
+  required: boolean;
+  disabled: boolean;
+  /** The form that the element is a field of. */
+  readonly form: HTMLFormElement | null;
+  readonly type: string;
+  /** The answer code that the form sends; empty while there is none. */
+  readonly value: string;
+  readonly validity: ValidityState | undefined;
+  readonly validationMessage: string;
+  readonly willValidate: boolean;
+  /** Whether there is an answer code, or none is required. */
+  checkValidity(): boolean;
+  reportValidity(): boolean;
   /** Shows a step; one beyond the last is the last. Rejects with a sentence where that is no whole number from 0. */
   goTo(step: number): Promise<void>;
   /** Solves the open problem; rejects with a sentence where the options do not fit or are not the element's. */

@@ -55,10 +55,10 @@ function ofPackage({ schemaVersion, modules }) {
 const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 
 /** Each attribute is a property as well, which the element makes of their list. */
-const reflecting = ({ name, description }) => ({
+const reflecting = ({ name, type, description }) => ({
   kind: "field",
   name: propertyOf(name),
-  type: { text: name === "watch" ? "boolean" : "string | null" },
+  type: { text: type?.text === "boolean" ? "boolean" : "string | null" },
   description,
   attribute: name,
   reflects: true,

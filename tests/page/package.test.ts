@@ -194,7 +194,11 @@ test("the manifest lists what the element follows, offers and tells, and licence
   }
   assert.equal(element.members.filter(({ reflects }: { reflects?: true }) => reflects).length, attributes.length);
   const others = element.members.filter(({ reflects }: { reflects?: true }) => !reflects);
-  assert.deepEqual(names(others).sort(), ["document", "goTo", "ready", "solve", "state", "toPNG", "toSVG"]);
+  // What other fields of a form have, and what this element has.
+  const ofFields = "checkValidity form reportValidity type validationMessage validity value willValidate".split(" ");
+  const own = ["document", "goTo", "ready", "solve", "state", "toPNG", "toSVG"];
+  assert.deepEqual(names(others).sort(), [...ofFields, ...own].sort());
+  for (const name of ofFields) assert.match(types, new RegExp(`^  (?:readonly )?${name}(?:\\(\\))?: `, "m"));
   assert.deepEqual(names(element.events), ["mo-copp-step", "mo-copp-outcome", "mo-copp-answer", "mo-copp-score"]);
   const guide = readFileSync(new URL("../../docs/embedding.md", import.meta.url), "utf8");
   for (const { name } of [...element.cssParts, ...element.cssProperties]) assert(guide.includes(`\`${name}\``), name);

@@ -13,7 +13,10 @@ const questions = ["exercise", "seed", "student"] as const;
 export const followed: readonly string[] = [...settingNames, ...manners, ...questions];
 
 /** Looked at once: when the element comes into the page, when its form is sent, when the first one starts the core. */
-const once = ["name", "watch", "worker-url", "wasm-url"] as const;
+const once = ["name", "required", "disabled", "watch", "worker-url", "wasm-url"] as const;
+
+/** Attributes without a value: being there is all that they say. */
+export const flags: readonly string[] = ["watch", "required", "disabled"];
 
 /** What is no attribute, and may be taken for one: its being there is said. */
 export const propertiesAlone = ["document", "state"] as const;

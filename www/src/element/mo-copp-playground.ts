@@ -63,6 +63,8 @@ slot.poster ~ .ground > .has-poster:not(.waiting) > :not(.error, .failure) { dis
  * @attr {number} seed - The variant of an exercise.
  * @attr {string} student - A name whose variant of an exercise is shown.
  * @attr {string} name - The name under which a form sends the answer code.
+ * @attr {boolean} required - A form is not sent before an answer was checked.
+ * @attr {boolean} disabled - No answer can be given, and the form sends none.
  * @attr {"off"} link - `off`: this playground leaves the page's address alone.
  * @attr {"light"|"dark"|"auto"} theme - The colours; `auto`, as without it, follows the page.
  * @attr {"page"|"focus"|"off"} keys - Where keys walk through the steps.

@@ -5,7 +5,8 @@ import type { ProblemDocument } from "../problem/types.js";
 import type { SharedState } from "../share/shared-state.js";
 import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
-import { followed, propertiesAlone } from "./attributes.js";
+import { followed, isOn, propertiesAlone } from "./attributes.js";
+import { validate } from "./form-field.js";
 import type { Wanted } from "./given.js";
 import { parsed, textOf } from "./parsed.js";
 import { reflect, reflected } from "./reflected.js";
@@ -27,7 +28,7 @@ export abstract class PlaygroundElement extends Base {
   static readonly formAssociated = true;
 
   static get observedAttributes(): string[] {
-    return [...followed, ...propertiesAlone];
+    return [...followed, ...propertiesAlone, "required"];
   }
 
   /** Settles once the first picture is drawn, or cannot be. */
@@ -45,10 +46,14 @@ export abstract class PlaygroundElement extends Base {
 
   /** What a form is told by. */
   readonly #internals: ElementInternals | undefined;
+  /** The code that a form sends; null where there is none. */
+  #code: string | null = null;
+  #isDisabled = false;
 
   constructor() {
     super();
     this.#internals = this.attachInternals?.();
+    this.#validate();
     this.#drawn = new Promise((resolve) => {
       this.#settleDrawn = resolve;
     });
@@ -94,6 +99,46 @@ export abstract class PlaygroundElement extends Base {
     if ("fault" in given) this.#refuse(given.fault);
     else if (this.#view === null) Object.assign(this.#wanted, { document: null, state: given.text, fault: null });
     else void this.#view.openState(given.text);
+  }
+
+  /** The form that the element is a field of. */
+  get form(): HTMLFormElement | null {
+    return this.#internals?.form ?? null;
+  }
+
+  /** As of a field: the element's own name. */
+  get type(): string {
+    return this.localName;
+  }
+
+  /** The code of the last answer that was checked, which the form sends; empty while there is none. */
+  get value(): string {
+    return this.#code ?? "";
+  }
+
+  /** Whether a required answer is missing. */
+  get validity(): ValidityState | undefined {
+    return this.#internals?.validity;
+  }
+
+  /** What is said of a required answer that is missing. */
+  get validationMessage(): string {
+    return this.#internals?.validationMessage ?? "";
+  }
+
+  /** Whether the form looks at the element before it is sent. */
+  get willValidate(): boolean {
+    return this.#internals?.willValidate ?? false;
+  }
+
+  /** Whether there is an answer code, or none is required. */
+  checkValidity(): boolean {
+    return this.#internals?.checkValidity() ?? true;
+  }
+
+  /** The same; what is missing is said to whoever reads the page. */
+  reportValidity(): boolean {
+    return this.#internals?.reportValidity() ?? true;
   }
 
   /** What was set can't be used: what was there stays. */
@@ -154,6 +199,7 @@ export abstract class PlaygroundElement extends Base {
 
   /** There is a picture, or word of why there is none. */
   protected shown(): void {
+    this.#validate();
     this.#settleDrawn();
     this.#settleReady();
   }
@@ -184,7 +230,9 @@ export abstract class PlaygroundElement extends Base {
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
-    if (before !== after) this.follow(name);
+    if (before === after) return;
+    if (name === "required") this.#validate();
+    else this.follow(name);
   }
 
   /** Does what an attribute says. */
@@ -219,14 +267,31 @@ export abstract class PlaygroundElement extends Base {
     // The first picture is a turn of its own, not the end of the one that reads the page's code.
     await Promise.all([whenParsed(), nextTurn()]);
     const [Loaded] = await Promise.all([this.load(), earlier]);
-    const keepCode = (code: string | null) => this.#internals?.setFormValue(code);
+    const keepCode = (code: string | null) => this.#keepCode(code);
     this.#view = new Loaded(this, this.makeRoot(), { shown: () => this.shown(), keepCode }, this.#wanted);
+    this.#view.disable(this.#isDisabled);
     if (this.isConnected) this.#view.connect();
   }
 
   /** The form is reset: it sends no code until another answer is checked. Attempts that were made stay made. */
   formResetCallback(): void {
-    this.#internals?.setFormValue(null);
+    this.#keepCode(null);
+  }
+
+  /** The element is disabled, by its attribute or by a fieldset around it. */
+  formDisabledCallback(isDisabled: boolean): void {
+    this.#isDisabled = isDisabled;
+    this.#view?.disable(isDisabled);
+  }
+
+  #keepCode(code: string | null): void {
+    this.#code = code;
+    this.#internals?.setFormValue(code);
+    this.#validate();
+  }
+
+  #validate(): void {
+    if (this.#internals !== undefined) validate(this, this.#internals, isOn(this, "required") && this.#code === null);
   }
 
   /** What a script set before the element was one: then it hides what the element does with it. */

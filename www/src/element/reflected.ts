@@ -1,14 +1,11 @@
 // Each attribute as a property: what is set is the attribute's text, and `null` or `undefined` takes it away.
-import { attributes, isOn } from "./attributes.js";
+import { attributes, flags, isOn } from "./attributes.js";
 
 /** `worker-url` is `workerUrl`. */
 const propertyOf = (attribute: string) => attribute.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
 
 /** The properties that are attributes. */
 export const reflected: readonly string[] = attributes.map(propertyOf);
-
-/** An attribute whose being there is all that counts. */
-const FLAG = "watch";
 
 /** Gives the class of the element its properties. */
 export function reflect(prototype: HTMLElement): void {
@@ -17,7 +14,7 @@ export function reflect(prototype: HTMLElement): void {
       configurable: true,
       enumerable: true,
       get(this: HTMLElement) {
-        return attribute === FLAG ? isOn(this, attribute) : this.getAttribute(attribute);
+        return flags.includes(attribute) ? isOn(this, attribute) : this.getAttribute(attribute);
       },
       set(this: HTMLElement, value: unknown) {
         const text = textOf(value);

@@ -11,9 +11,18 @@ import type { Scheme } from "./theme.js";
 /** Why a question has no answer of its own. */
 const OVERTAKEN = "Another question took the place of this one before it was answered.";
 const CHANGED = "The problem was changed before this question was answered.";
+/** Why a playground that shows a question does nothing else: the problem that was open before it is out of sight. */
+const ASKED =
+  "A question is shown, without steps, solvers and best values: only where its lock allows, its problem is opened without it.";
+
+function withoutQuestion({ exercise }: Playground): void {
+  if (exercise.posed.value !== null) throw new Error(ASKED);
+}
 
 /** A script may hand over anything. */
-export function goTo({ timeline }: Playground, step: unknown): void {
+export function goTo(playground: Playground, step: unknown): void {
+  withoutQuestion(playground);
+  const { timeline } = playground;
   const wanted = Number(String(step).trim() || Number.NaN);
   if (Number.isNaN(wanted) || (Number.isFinite(wanted) && !Number.isInteger(wanted)) || wanted < 0)
     throw new Error(`“${step}” is no step; expected a whole number from 0 to ${timeline.lastStep.value}.`);
@@ -22,6 +31,7 @@ export function goTo({ timeline }: Playground, step: unknown): void {
 
 /** Options that can't be used leave the form as it was: the next ones are asked for on their own. */
 export async function solve(playground: Playground, options: ElementSolveOptions): Promise<Answered> {
+  withoutQuestion(playground);
   const { answer, form, problem, solving } = playground;
   const asked = problem.newest;
   if (asked?.closed) throw new Error(CLOSED);
@@ -44,11 +54,13 @@ export async function solve(playground: Playground, options: ElementSolveOptions
 }
 
 /** `scheme`: the colours, where the options name none. */
-export function toSVG({ pictures }: Playground, options: SvgOptions, scheme: Scheme): Promise<string> {
-  return pictures.draw(pictureOptions(options, scheme));
+export async function toSVG(playground: Playground, options: SvgOptions, scheme: Scheme): Promise<string> {
+  withoutQuestion(playground);
+  return playground.pictures.draw(pictureOptions(options, scheme));
 }
 
 export async function toPNG(playground: Playground, options: PngOptions, scheme: Scheme): Promise<Blob> {
+  withoutQuestion(playground);
   const asked = pictureOptions(options, scheme);
   if (asked.animate) throw new Error("A PNG shows one step; expected no walk. All steps are for toSVG.");
   const [{ png }, svg] = await Promise.all([import("../share/png.js"), playground.pictures.draw(asked)]);

@@ -247,6 +247,11 @@ export class View {
     if (!opened && again.value !== null) again.value = () => void this.give(pending, document, open);
   }
 
+  /** Whether no answer may be given: the form's field is disabled. */
+  disable(isDisabled: boolean): void {
+    this.playground.exercise.disabled.value = isDisabled;
+  }
+
   goTo(step: number): void {
     calls.goTo(this.playground, step);
   }
