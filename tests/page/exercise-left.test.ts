@@ -7,6 +7,7 @@ import type { GridworldDocument } from "../../www/src/problem/types.js";
 import { assertNoBarrier } from "./support/barriers.js";
 import { visit } from "./support/browser.js";
 import { exerciseText, give, solved } from "./support/exercises.js";
+import { dragMouse } from "./support/hands.js";
 import { addressHolds } from "./support/links.js";
 import { openTab, press, useDocument } from "./support/playground.js";
 
@@ -46,8 +47,11 @@ test("what is locked stays locked after a reload, and a button leads back to the
           (cell) => String(cell) === `${column},0`,
         ),
     );
-    await press(page, "Walls");
-    await page.locator(`[data-board=actor] [data-cell="${free},0"]`).click();
+    const walls = page.getByRole("button", { name: "Walls", exact: true });
+    const carried = before.walls?.[0] ?? assert.fail("a wall is needed");
+    const carry = () => dragMouse(page, "actor", [carried, [free ?? 0, 0]]);
+    assert.equal(await walls.getAttribute("aria-disabled"), "true");
+    await carry();
     const refused = page.getByText("“walls” stays as the exercise has it: this part of the problem is locked.").first();
     await refused.waitFor();
     assert.deepEqual(await documentOf(), before);
@@ -58,8 +62,8 @@ test("what is locked stays locked after a reload, and a button leads back to the
     await addressHolds(page, ({ document }) => JSON.parse(String(document)).height === before.height + 1);
     await page.reload();
     await page.getByText("Locked in it: walls, observers.").waitFor();
-    await press(page, "Walls");
-    await page.locator(`[data-board=actor] [data-cell="${free},0"]`).click();
+    assert.equal(await walls.getAttribute("aria-disabled"), "true");
+    await carry();
     await refused.waitFor();
     await press(page, "Back to the question");
     await page.getByText("2 attempts left.").waitFor();
@@ -74,7 +78,7 @@ async function assertClosed(page: Page): Promise<void> {
   await page.getByText("Solvers and best values are kept back until the question is answered.").waitFor();
   await page.locator("mo-copp-playground[data-status=idle]").waitFor();
   const tabs = await page.getByRole("tablist", { name: "Workbench" }).getByRole("tab").allTextContents();
-  assert.deepEqual(tabs, ["Edit", "Play", "Steps", "Document"]);
+  assert.deepEqual(tabs, ["Edit", "Play", "Document"]);
   assert.equal(await page.getByText(/Best possible|Best goal difference|this plan:/).count(), 0, "a best value");
   assert.equal(await page.locator("mo-copp-playground").getAttribute("data-gd"), null, "a goal difference");
   const told = await page.locator("mo-copp-playground").evaluate(async (element) => {

@@ -22,7 +22,7 @@ import {
 import type { DeliveryDocument } from "../problem/types.js";
 import { roles } from "../view/observers.js";
 import { deliveryObserverForm } from "./delivery-observer.js";
-import { attempt, type Edited, type FieldStores, faultText, textField } from "./fields.js";
+import { attempt, type Edited, type FieldStores, faultText, lockNote, textField } from "./fields.js";
 import { focusBefore } from "./goals-form.js";
 import { cross } from "./icons.js";
 
@@ -30,7 +30,7 @@ export function deliveryForm(playground: FieldStores, document: DeliveryDocument
   return html`
     ${document.factories.map((factory, index) => factoryForm(playground, document, factory, index))}
     <div class="actions">
-      <button type="button" @click=${() => attempt(playground, "factories", addFactory(document))}>Add a factory</button>
+      <button type="button" ?disabled=${lockNote(playground, ["factories"]).locked} @click=${() => attempt(playground, "factories", addFactory(document))}>Add a factory</button>
     </div>
     ${faultText(playground, "factories")} ${whatToDeliver(playground, document)}
     ${roles.map((role) => deliveryObserverForm(playground, document, role))}
@@ -45,8 +45,10 @@ function factoryForm(
 ): TemplateResult {
   const field = `factory-${index}`;
   const edit = (edited: Edited) => attempt(playground, `${field}-packages`, edited);
-  return html`<fieldset>
+  const { locked, note } = lockNote(playground, ["factories"]);
+  return html`<fieldset ?disabled=${locked}>
     <legend>Factory ${name}</legend>
+    ${note}
     <div class="row">
       ${textField(playground, { field, label: "Name of the factory", value: name, save: (text) => renameFactory(document, index, text) })}
       <button type="button" @click=${() => edit(removeFactory(document, index))}>Remove the factory</button>
@@ -79,8 +81,10 @@ function whatToDeliver(playground: FieldStores, document: DeliveryDocument): Tem
   const all = packagesOf(document).length;
   const chosen = trueGoalOf(withTrueGoal(document, trueGoalOf(document))).join(JOINT);
   const value = (event: Event) => (event.target as HTMLSelectElement).value;
-  return html`<fieldset>
+  const { locked, note } = lockNote(playground, ["deliver", "true_goal"]);
+  return html`<fieldset ?disabled=${locked}>
     <legend>What is delivered</legend>
+    ${note}
     <div class="row">
       <label>
         <span>Packages at once</span>

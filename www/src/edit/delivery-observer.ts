@@ -12,7 +12,7 @@ import {
 } from "../problem/delivery-sensor.js";
 import type { DeliveryDocument, Role } from "../problem/types.js";
 import { called } from "../view/observers.js";
-import { attempt, type FieldStores, presetField, textField } from "./fields.js";
+import { attempt, type FieldStores, lockNote, presetField, textField } from "./fields.js";
 
 export function deliveryObserverForm(playground: FieldStores, document: DeliveryDocument, role: Role): TemplateResult {
   const load = loadOf(document, role);
@@ -25,8 +25,10 @@ export function deliveryObserverForm(playground: FieldStores, document: Delivery
       save: (text) => setLoadSymbol(document, role, name, text),
     });
   const use = (name: DeliveryPreset) => attempt(playground, role, useDeliveryPreset(document, role, name));
-  return html`<fieldset class="observer ${role}">
+  const { locked, note } = lockNote(playground, ["observers"]);
+  return html`<fieldset class="observer ${role}" ?disabled=${locked}>
     <legend>What the ${called[role]} is told</legend>
+    ${note}
     ${presetField("Sensor", deliveryPresets, deliveryPresetOf(document, role), use)}
     <div class="symbols-of" role="group" aria-label="Symbols for the ${called[role]}">
       ${

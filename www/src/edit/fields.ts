@@ -5,6 +5,7 @@ import { LONGEST_NAME, tidied } from "../problem/names.js";
 import type { ProblemDocument } from "../problem/types.js";
 import type { Editing } from "../state/editing.js";
 import type { Edits } from "../state/edits.js";
+import { lockedText } from "../state/locks.js";
 import type { OpenProblem } from "../state/open-problem.js";
 import type { Workbench } from "../state/workbench.js";
 
@@ -17,6 +18,15 @@ export interface FieldStores {
 
 /** An edit, or why there can be none. */
 export type Edited = ProblemDocument | string;
+
+/** Why a form can't be used: parts of the document that it edits are locked. */
+export function lockNote({ problem }: Pick<FieldStores, "problem">, keys: readonly string[]) {
+  const locked = problem.lockedAmong(keys);
+  return {
+    locked: locked.length > 0,
+    note: locked.length === 0 ? nothing : html`<p class="lock">${lockedText(locked)}</p>`,
+  };
+}
 
 /** Makes an edit, or shows beside a field why not. Resolves to whether it was made. */
 export function attempt(playground: FieldStores, field: string, edited: Edited, text = ""): boolean {
@@ -61,11 +71,12 @@ interface TextField {
   placeholder?: string;
   /** The id of a list of suggestions. */
   list?: string;
+  locked?: boolean;
   save: (text: string) => Edited;
 }
 
 export function textField(playground: FieldStores, options: TextField): TemplateResult {
-  const { field, label, bare, value, placeholder, list, save } = options;
+  const { field, label, bare, value, placeholder, list, locked = false, save } = options;
   const fault = faultOf(playground, field);
   const change = (event: Event) => {
     const input = event.target as HTMLInputElement;
@@ -74,7 +85,7 @@ export function textField(playground: FieldStores, options: TextField): Template
   return html`<div class="field">
     <label>
       <span class=${bare ? "unseen" : ""}>${label}</span>
-      <input type="text" autocomplete="off" spellcheck="false" maxlength=${LONGEST_NAME} name=${field}
+      <input type="text" autocomplete="off" spellcheck="false" maxlength=${LONGEST_NAME} name=${field} ?disabled=${locked}
         list=${list ?? nothing} placeholder=${placeholder ?? nothing} .value=${fault?.text ?? value}
         aria-invalid=${String(fault !== null)} aria-describedby=${fault === null ? nothing : faultId(playground, field)}
         @change=${change} @keydown=${leaveOnEnter} />
@@ -87,13 +98,14 @@ interface NumberField {
   field: string;
   label: string;
   value: number;
+  locked?: boolean;
   least: number;
   most: number;
   save: (value: number) => Edited;
 }
 
 export function numberField(playground: FieldStores, options: NumberField): TemplateResult {
-  const { field, label, value, least, most, save } = options;
+  const { field, label, value, locked = false, least, most, save } = options;
   const fault = faultOf(playground, field);
   const change = (event: Event) => {
     const { value: text, valueAsNumber } = event.target as HTMLInputElement;
@@ -103,7 +115,7 @@ export function numberField(playground: FieldStores, options: NumberField): Temp
   return html`<div class="field">
     <label>
       <span>${label}</span>
-      <input type="number" min=${least} max=${most} step="1" name=${field} .value=${fault?.text ?? String(value)}
+      <input type="number" min=${least} max=${most} step="1" name=${field} ?disabled=${locked} .value=${fault?.text ?? String(value)}
         aria-invalid=${String(fault !== null)} aria-describedby=${fault === null ? nothing : faultId(playground, field)}
         @change=${change} />
     </label>

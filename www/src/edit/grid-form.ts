@@ -5,18 +5,21 @@ import { setStay, symbolsOf } from "../problem/grid-sensor.js";
 import { LARGEST_SIDE, resized, SMALLEST_SIDE } from "../problem/grid-size.js";
 import type { GridworldDocument } from "../problem/types.js";
 import { roles } from "../view/observers.js";
-import { attempt, type FieldStores, numberField } from "./fields.js";
+import { attempt, type FieldStores, lockNote, numberField } from "./fields.js";
 import { goalsForm } from "./goals-form.js";
 import { type ObserverFormStores, observerForm } from "./observer-form.js";
 
 export function gridForm(playground: ObserverFormStores, document: GridworldDocument): TemplateResult {
+  const size = lockNote(playground, ["width", "height", "stay"]);
+  const isLocked = (key: string) => playground.problem.lockedAmong([key]).length > 0;
   return html`
     <fieldset>
       <legend>Grid</legend>
+      ${size.note}
       <div class="row">
         ${side(playground, document, "width", "Columns")} ${side(playground, document, "height", "Rows")}
         <label class="check">
-          <input type="checkbox" .checked=${live(document.stay === true)}
+          <input type="checkbox" ?disabled=${isLocked("stay")} .checked=${live(document.stay === true)}
             @change=${(event: Event) =>
               attempt(playground, "stay", setStay(document, (event.target as HTMLInputElement).checked))} />
           <span>The agent may also stay where it is</span>
@@ -42,6 +45,7 @@ function side(playground: FieldStores, document: GridworldDocument, key: "width"
     field: key,
     label,
     value: document[key],
+    locked: playground.problem.lockedAmong([key]).length > 0,
     least: SMALLEST_SIDE,
     most: LARGEST_SIDE,
     save,

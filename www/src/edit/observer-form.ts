@@ -16,7 +16,7 @@ import type { Tool } from "../state/editing.js";
 import type { Timeline } from "../state/timeline.js";
 import { called } from "../view/observers.js";
 import { playgroundAround } from "../view/surroundings.js";
-import { attempt, type Edited, type FieldStores, presetField, textField } from "./fields.js";
+import { attempt, type Edited, type FieldStores, lockNote, presetField, textField } from "./fields.js";
 
 export interface ObserverFormStores extends FieldStores {
   timeline: Timeline;
@@ -38,8 +38,10 @@ export function observerForm(playground: ObserverFormStores, document: Gridworld
     const around = playgroundAround(event.currentTarget as Element);
     around?.querySelector(`[data-board=${role}]`)?.scrollIntoView({ block: "nearest" });
   };
-  return html`<fieldset class="observer ${role}">
+  const { locked, note } = lockNote(playground, ["observers"]);
+  return html`<fieldset class="observer ${role}" ?disabled=${locked}>
     <legend>What the ${called[role]} is told</legend>
+    ${note}
     ${presetField("Sensor", titles, presetOf(document, role), (name) => edit(usePreset(document, role, name)))}
     <div class="row moves" role="group" aria-label="Symbol for each move, for the ${called[role]}">
       ${movesOf(document).map((move) =>

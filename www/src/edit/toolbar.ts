@@ -1,6 +1,6 @@
 // The tools, always at hand above the boards, and what takes edits back.
 import { html, type TemplateResult } from "lit";
-import { type ToolStores, take, toolInHand, toolNames, toolsFor } from "../gesture/tools.js";
+import { type ToolStores, take, toolInHand, toolNames, toolsFor, useOf } from "../gesture/tools.js";
 import type { Edits } from "../state/edits.js";
 import { tools as icons } from "./icons.js";
 
@@ -24,14 +24,13 @@ export function toolbar(playground: ToolbarStores): TemplateResult | "" {
     ${
       offered.length > 0
         ? html`<div class="tools" role="group" aria-label="Tools">
-            ${offered.map(
-              (
-                name,
-              ) => html`<button type="button" class="tool" aria-pressed=${String(name === tool)} title=${toolNames[name].about}
-                aria-disabled=${String(resting)} @click=${() => resting || take(playground, name)}>
-                ${icons[name]}<span>${toolNames[name].title}</span>
-              </button>`,
-            )}
+            ${offered.map((name) => {
+              const { about, possible } = useOf(name, playground);
+              return html`<button type="button" class="tool" aria-pressed=${String(name === tool)} title=${about}
+                aria-disabled=${String(resting || !possible)} @click=${() => possible && (resting || take(playground, name))}>
+                ${icons[name]}<span>${toolNames[name]}</span>
+              </button>`;
+            })}
           </div>`
         : ""
     }
@@ -40,6 +39,6 @@ export function toolbar(playground: ToolbarStores): TemplateResult | "" {
       ${act("Redo", icons.redo, history.canRedo.value, () => playground.edits.redo())}
       ${act("Reset", icons.reset, canReset.value, () => playground.edits.reset())}
     </div>
-    ${offered.length > 0 ? html`<p class="about ${tool}">${resting ? "The tools rest while a walk is shown." : toolNames[tool].about}</p>` : ""}
+    ${offered.length > 0 ? html`<p class="about ${tool}">${resting ? "The tools rest while a walk is shown." : useOf(tool, playground).about}</p>` : ""}
   </section>`;
 }

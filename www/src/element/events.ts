@@ -55,9 +55,10 @@ export class Notifier {
 
   /** Tells what has changed since the last time. */
   notify(): void {
-    const { timeline, answer, boards } = this.playground;
+    const { timeline, answer, boards, problem } = this.playground;
     const shown = timeline.shown.value;
-    if (shown !== null) {
+    // What a question hides is not told to the page either.
+    if (shown !== null && !problem.veiled.value) {
       const detail: StepDetail = {
         step: timeline.step.value,
         // Not how long the way is that somebody guesses about.

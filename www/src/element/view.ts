@@ -68,6 +68,9 @@ const exercise = new LazyPanel<ExerciseViewStores>(
   async () => (await import("../exercise/exercise-view.js")).exerciseView,
 );
 
+/** The parts that show what observers believe. */
+const beliefs: readonly Part[] = ["enemy", "friend", "counts", "goals"];
+
 /** What the element is told. */
 interface Told {
   /** There is a picture of a problem, or word of why there is none. */
@@ -383,7 +386,10 @@ export class View {
   /** Everything but an exercise; `isBare`: no problem is open, and none is on its way. */
   private workplace(isBare: boolean): TemplateResult {
     const { playground } = this;
-    const hidden = hiddenParts(this.host.getAttribute("hide"));
+    const hidden = new Set([
+      ...hiddenParts(this.host.getAttribute("hide")),
+      ...(playground.problem.veiled.value ? beliefs : []),
+    ]);
     const show = (part: Part, content: () => unknown) => (hidden.has(part) ? nothing : content());
     const link = () => (this.sharing.value ? copyLink(playground, this.copier) : nothing);
     const share = () =>
@@ -412,7 +418,7 @@ export class View {
               ${show("goals", () => html`<section class="card" part="goals" aria-label="Goals">${goalList(playground)}</section>`)}
             </div>`
       }
-      ${show("workbench", () => this.printing.content(playground))}
+      ${show("workbench", () => (playground.problem.veiled.value ? nothing : this.printing.content(playground)))}
       ${show("gallery", menu)} ${announcement(this.announcer)} ${this.tour.card()}
     `;
   }

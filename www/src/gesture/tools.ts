@@ -8,6 +8,7 @@ import { things } from "../problem/pose-cells.js";
 import type { FloorDocument, ProblemDocument, Role } from "../problem/types.js";
 import type { Boards } from "../state/boards.js";
 import type { Cursor, Editing, Tool } from "../state/editing.js";
+import { lockedText } from "../state/locks.js";
 import type { OpenProblem } from "../state/open-problem.js";
 import type { Timeline } from "../state/timeline.js";
 import type { BoardName } from "../view/observers.js";
@@ -19,21 +20,54 @@ export interface ToolStores {
   timeline: Timeline;
 }
 
-export const toolNames: Record<Tool, { title: string; about: string }> = {
-  move: {
-    title: "Move",
-    about: "Drag the start or a goal on any board, or a wall on the agent’s. The best plan follows at once.",
-  },
-  walls: { title: "Walls", about: "Drag over cells to build walls. Begin on a wall to take walls away." },
-  belief: {
-    title: "First belief",
-    about: "Drag over cells of the enemy’s or the friend’s board: where they think the agent may begin. Shows step 0.",
-  },
-  cameras: {
-    title: "Cameras",
-    about: "Drag over cells of the enemy’s or the friend’s board: there they see the agent exactly.",
-  },
+export const toolNames: Record<Tool, string> = {
+  move: "Move",
+  walls: "Walls",
+  belief: "First belief",
+  cameras: "Cameras",
 };
+
+/** What a painting tool is for. */
+const painting: Record<Exclude<Tool, "move">, string> = {
+  walls: "Drag over cells to build walls. Begin on a wall to take walls away.",
+  belief: "Drag over cells of the enemy’s or the friend’s board: where they think the agent may begin. Shows step 0.",
+  cameras: "Drag over cells of the enemy’s or the friend’s board: there they see the agent exactly.",
+};
+
+/** The keys of a document that a tool changes. */
+const keysOf: Record<Exclude<Tool, "move">, readonly string[]> = {
+  walls: ["walls"],
+  belief: ["observers"],
+  cameras: ["observers"],
+};
+
+/** What is dragged on every board. */
+const movable: Partial<Record<ProblemDocument["format"], Record<string, readonly string[]>>> = {
+  gridworld: { start: ["the start"], goals: ["a goal"] },
+  "box-pushing": { start: ["the robot", "the box"], goals: ["a goal"] },
+  "recycling-robot": { start: ["the robot", "the can"], charger: ["the charger"], goals: ["a bin"] },
+};
+
+/** What a tool is for, and whether something of what it changes is not locked. */
+export function useOf(tool: Tool, { problem }: Pick<ToolStores, "problem">): { about: string; possible: boolean } {
+  const format = problem.latest?.format ?? "gridworld";
+  const keys = tool === "move" ? [...Object.keys(movable[format] ?? {}), "walls"] : keysOf[tool];
+  const locked = problem.lockedAmong(keys);
+  const possible = locked.length < keys.length;
+  if (!possible) return { about: lockedText(locked), possible };
+  if (tool !== "move") return { about: painting[tool], possible };
+  const names = Object.entries(movable[format] ?? {}).flatMap(([key, names]) => (locked.includes(key) ? [] : names));
+  const walls = locked.includes("walls")
+    ? []
+    : [names.length === 0 ? "a wall on the agent’s board" : "a wall on the agent’s"];
+  const things = names.length === 0 ? [] : [`${either(names)} on any board`];
+  const drag = `Drag ${[...things, ...walls].join(", or ")}.`;
+  const rest = locked.length > 0 ? ` ${lockedText(locked)}` : "";
+  return { about: `${drag}${problem.closed.value ? "" : " The best plan follows at once."}${rest}`, possible };
+}
+
+const either = (names: readonly string[]): string =>
+  names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} or ${names.at(-1)}`;
 
 export const tools = Object.keys(toolNames) as Tool[];
 
@@ -76,9 +110,12 @@ export const isFloor = (document: ProblemDocument): document is FloorDocument =>
 export const toolsFor = (format: ProblemDocument["format"]): readonly Tool[] =>
   format === "gridworld" ? tools : floors.includes(format) ? ["move", "walls"] : [];
 
-/** The tool in the hand; one that the problem open now has no use for is put down. */
-export const toolInHand = ({ editing, problem: { latest } }: Pick<ToolStores, "editing" | "problem">): Tool =>
-  latest !== null && toolsFor(latest.format).includes(editing.tool.value) ? editing.tool.value : "move";
+/** The tool in the hand; one that the problem open now has no use for, or that is locked, is put down. */
+export const toolInHand = ({ editing, problem }: Pick<ToolStores, "editing" | "problem">): Tool => {
+  const tool = editing.tool.value;
+  const offered = problem.latest !== null && toolsFor(problem.latest.format).includes(tool);
+  return offered && useOf(tool, { problem }).possible ? tool : "move";
+};
 
 export const roleOf = (board: BoardName): Role | null => (board === "actor" ? null : board);
 

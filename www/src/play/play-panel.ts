@@ -26,13 +26,14 @@ async function startGuessing(playground: PlayPanelStores, { currentTarget }: Eve
 
 export function playPanel(playground: PlayPanelStores): TemplateResult {
   const closed = playground.problem.closed.value;
+  const veiled = playground.problem.veiled.value;
   const round = playground.guess.round.value.kind;
   if (playground.boards.mode.value === "walk") return walkPanel(playground);
   if (round !== "none") return guessPanel(playground);
   return html`<div class="play choices">
     <div>
       <h3>You are the agent</h3>
-      <p>Walk yourself. See what the enemy and the friend make of every step${closed ? "" : ", and how close you come to the best plan"}.</p>
+      <p>Walk yourself.${veiled ? "" : ` See what the enemy and the friend make of every step${closed ? "" : ", and how close you come to the best plan"}.`}</p>
       <button type="button" class="primary" @click=${(event: Event) => void takeOver(playground, event)}>Take over</button>
     </div>
     ${closed ? nothing : enemy(playground)}

@@ -2,14 +2,16 @@
 import { html, type TemplateResult } from "lit";
 import type { Scene } from "../core.js";
 import type { Boards } from "../state/boards.js";
+import type { OpenProblem } from "../state/open-problem.js";
 import type { Timeline } from "../state/timeline.js";
 import type { Verdict, Walk } from "../state/walk.js";
-import { differenceText } from "../view/numbers.js";
+import { counted, differenceText } from "../view/numbers.js";
 
 export interface WalkPanelStores {
   walk: Walk;
   boards: Boards;
   timeline: Timeline;
+  problem: OpenProblem;
 }
 
 /** How each kind of board is walked on, by key and by touch. */
@@ -45,13 +47,15 @@ export function walkPanel(playground: WalkPanelStores): TemplateResult {
       <button type="button" @click=${() => walk.leave()}>Stop walking</button>
     </div>
     <div role="status" class="result">
-      ${walk.message.value === "" ? "" : html`<p>${walk.message.value}</p>`} ${judged(walk, walk.verdict.value)}
+      ${walk.message.value === "" ? "" : html`<p>${walk.message.value}</p>`} ${judged(playground, walk.verdict.value)}
     </div>
   </div>`;
 }
 
-function judged(walk: Walk, verdict: Verdict): TemplateResult | string {
+function judged({ walk, problem }: WalkPanelStores, verdict: Verdict): TemplateResult | string {
   if (verdict.kind === "walking") return "";
+  // The goal difference tells what observers believe.
+  if (problem.veiled.value) return html`<p>You are there, in ${counted(verdict.moves, "action")}.</p>`;
   const you = `You: ${differenceText(verdict.difference)} in ${verdict.moves} ${verdict.moves === 1 ? "action" : "actions"}.`;
   if (verdict.kind === "comparing") return html`<p>${you} Looking for the best of that length…</p>`;
   const best = verdict.best.goal_difference;

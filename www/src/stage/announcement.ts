@@ -5,6 +5,7 @@ import { html, type TemplateResult } from "lit";
 import type { TraceStep } from "../core.js";
 import type { Boards } from "../state/boards.js";
 import type { Editing } from "../state/editing.js";
+import type { OpenProblem } from "../state/open-problem.js";
 import type { Timeline } from "../state/timeline.js";
 import { actionText } from "../view/action.js";
 import { named } from "../view/names.js";
@@ -16,6 +17,7 @@ export interface AnnouncerStores {
   timeline: Timeline;
   boards: Boards;
   editing: Editing;
+  problem: OpenProblem;
 }
 
 /** A key held down, or an edit that is solved again and again, is one change and not many. */
@@ -61,12 +63,13 @@ export function announcement(announcer: Announcer): TemplateResult {
   return html`<p class="unseen" aria-live="polite"><span>${announcer.said.value}</span> <span>${said.value}</span></p>`;
 }
 
-function sentence({ timeline, boards: { mode } }: AnnouncerStores): string {
+function sentence({ timeline, boards: { mode }, problem: { veiled } }: AnnouncerStores): string {
   const shown = timeline.shown.value;
   if (shown === null) return "";
   // Faster than this nobody could say the steps: then only the one where it stops is said.
   if (timeline.playing.value && timeline.speed.value > SAID_A_SECOND) return "";
   const where = `Step ${timeline.step.value}${shown.action === null || mode.value === "guess" ? "" : `, ${actionText(shown.action)}`}`;
+  if (veiled.value) return `${where}.`;
   if (mode.value === "guess") return `${where}: ${part("adversarial", shown)}.`;
   return `${where}: ${part("adversarial", shown)}; ${part("cooperative", shown)}.`;
 }

@@ -5,6 +5,7 @@ import type { Scene } from "../core.js";
 import type { ProblemDocument } from "../problem/types.js";
 import { History } from "./history.js";
 import type { KeptAnswer } from "./kept-answer.js";
+import { hidesBeliefs } from "./locks.js";
 
 /** The question that a problem belongs to, while it is open without it. */
 export interface LeftQuestion {
@@ -33,6 +34,11 @@ export class OpenProblem {
   readonly opening = signal<string | null>(null);
   readonly question: ReadonlySignal<LeftQuestion | null> = computed(() => this.document.value?.question ?? null);
   readonly closed: ReadonlySignal<boolean> = computed(() => this.document.value?.closed === true);
+  /** What observers believe is not shown: the question hides it and is still to be answered. */
+  readonly veiled: ReadonlySignal<boolean> = computed(() => {
+    const question = this.question.value;
+    return this.closed.value && question !== null && hidesBeliefs(question.document);
+  });
   readonly history = new History<OpenDocument>();
   readonly canReset: ReadonlySignal<boolean> = computed(() => {
     const text = this.document.value?.text;
@@ -47,6 +53,12 @@ export class OpenProblem {
   /** The document that the next edit starts from, and that the next solve is about. */
   get newest(): OpenDocument | null {
     return this.wanted ?? this.document.value;
+  }
+
+  /** Which of these keys of the document no edit may change. */
+  lockedAmong(keys: readonly string[]): string[] {
+    const locked = this.newest?.question?.locked ?? [];
+    return keys.filter((key) => locked.includes(key));
   }
 
   get latest(): ProblemDocument | null {

@@ -3,9 +3,15 @@ import type { PictureOptions } from "../core.js";
 import { TaskRunner } from "../worker/runner.js";
 import type { Boards } from "./boards.js";
 import { lost } from "./lost.js";
+import type { OpenProblem } from "./open-problem.js";
 import type { Timeline } from "./timeline.js";
 
+/** Why an observer's board is not drawn. */
+const VEILED =
+  "The question of this problem hides what observers believe until it is answered: the agent’s board alone (actor) can be drawn.";
+
 interface Stores {
+  problem: Pick<OpenProblem, "veiled">;
   boards: Pick<Boards, "document" | "mode">;
   timeline: Pick<Timeline, "trace" | "step">;
 }
@@ -27,10 +33,12 @@ export class Pictures {
     const steps = timeline.trace.value?.steps ?? [];
     const plan = steps.flatMap(({ action }) => (action === null ? [] : [action]));
     const wanted = { step: timeline.step.value, ...options };
+    const veiled = this.stores.problem.veiled.value && options.board !== "actor";
     const guessing = boards.mode.value === "guess";
     this.waiting += 1;
     const drawn = this.queue.then(() => {
       if (guessing) throw new Error("There is no picture while a goal is being guessed: it would tell which.");
+      if (veiled) throw new Error(VEILED);
       if (document === null || steps.length === 0) throw new Error("There is nothing to draw.");
       return this.ask(document, plan, wanted);
     });

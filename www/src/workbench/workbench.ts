@@ -31,8 +31,11 @@ export interface Tab {
 /** The tabs that solve, or make another question of the problem. */
 const solving: ReadonlySet<string> = new Set(["solve", "compare", "trade-off", "exercise"]);
 
-const tabsOf = ({ problem }: Pick<WorkbenchStores, "problem">): readonly Tab[] =>
-  problem.closed.value ? tabs.filter(({ name }) => !solving.has(name)) : tabs;
+/** The tab that shows what observers believe. */
+const BELIEFS = "steps";
+
+const tabsOf = ({ problem: { closed, veiled } }: Pick<WorkbenchStores, "problem">): readonly Tab[] =>
+  tabs.filter(({ name }) => !(closed.value && solving.has(name)) && !(veiled.value && name === BELIEFS));
 
 const lazy = <Stores>(load: () => Promise<Panel<Stores>>): Panel<Stores> => new LazyPanel(load).panel;
 
