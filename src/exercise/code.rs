@@ -184,12 +184,30 @@ pub fn canonical(code: &str) -> String {
 
 /// Whether a text has the signs and the length of a code, whatever is in it.
 pub fn is_like_code(text: &str) -> bool {
+    canonical(text).len() >= FEWEST_SIGNS && is_of_signs(text)
+}
+
+/// Whether a text has signs of a code alone, and what may stand between them.
+pub fn is_of_signs(text: &str) -> bool {
+    canonical(text).chars().all(|sign| SIGNS.contains(sign))
+}
+
+/// Whether a text is a code as it was written, of whatever exercise: its checksum fits.
+pub fn is_whole(text: &str) -> bool {
     let signs = canonical(text);
-    signs.len() >= FEWEST_SIGNS && signs.chars().all(|sign| SIGNS.contains(sign))
+    // The checksum is worked out only where the version is right, as it seldom is by accident.
+    let decoded = || ENCODING.as_ref()?.decode(signs.as_bytes()).ok();
+    if signs.len() < FEWEST_SIGNS || signs.len() > MAX_SIGNS || !signs.starts_with('0') {
+        return false;
+    }
+    decoded().is_some_and(|bytes| {
+        let (payload, sum) = bytes.split_at(bytes.len().saturating_sub(CHECKSUM));
+        payload.first() == Some(&VERSION) && checksum(payload) == sum
+    })
 }
 
 /// Whether a sign may stand anywhere in a code: blanks, and the dashes and invisible signs that text processors put there.
-fn is_between(sign: char) -> bool {
+pub fn is_between(sign: char) -> bool {
     sign.is_whitespace()
         || matches!(
             sign,

@@ -402,3 +402,66 @@ fn two_stray_quotation_marks_swallow_no_row() {
         "a quotation mark in line 2 is closed in line 4; if these lines are rows, it is a stray one"
     );
 }
+
+#[test]
+fn codes_are_read_out_of_what_forms_and_spreadsheets_put_around_them() {
+    let right = code("7", None);
+    let wide: Vec<u8> =
+        format!("name,code\nAda,{right}\n").encode_utf16().flat_map(u16::to_be_bytes).collect();
+    for (name, table) in [
+        ("formula", format!("name;code\r\nAda;=\"{right}\"\r\n").into_bytes()),
+        ("quoted formula", format!("name;code\r\nAda;\"=\"\"{right}\"\"\"\r\n").into_bytes()),
+        ("named separator", format!("sep=;\r\nname;code\r\nAda;{right}\r\n").into_bytes()),
+        ("markup", format!("name,code\nAda,<p>{right}</p>\n").into_bytes()),
+        ("blank", format!("name,code\nAda,{right}&nbsp;\n").into_bytes()),
+        ("words", format!("name,code\nAda,code: {right}.\n").into_bytes()),
+        ("apostrophe", format!("name,code\nAda,'{right}\n").into_bytes()),
+        ("UTF-16 without a mark", wide),
+        ("zeros", format!("name,code\nA\0da,{right}\n").into_bytes()),
+    ] {
+        let exercise = file("wrapped.json", &text(GOALS));
+        let codes = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("wrapped.csv");
+        fs::write(&codes, table).unwrap();
+        let ran = mo_copp("", &["grade", exercise.to_str().unwrap(), codes.to_str().unwrap()]);
+        assert_eq!(ran.code, 0, "{name}: {}", ran.err);
+        let line = ran.out.lines().last().unwrap();
+        assert!(line.contains(",1,,7,") || line.contains(";1;;7;"), "{name}: {}", ran.out);
+        assert!(!ran.out.contains('\0'), "{name}");
+    }
+}
+
+#[test]
+fn what_is_no_code_is_not_called_the_same_and_more_attempts_than_there_are_are_remarked() {
+    let right = code("7", None);
+    let other = code("8", None);
+    let table =
+        format!("code\n-\n-\nn/a\n\u{2013}\ndone\ndone\n{right} {other}\n{right}\n{right}\n");
+    let ran = graded("nothing", &table, &[]);
+    let reasons: Vec<String> = rows(&ran.out).iter().map(|row| row["reason"].clone()).collect();
+    assert_eq!(
+        reasons,
+        [
+            "no answer",
+            "no answer",
+            "no answer",
+            "no answer",
+            "no answer code",
+            "no answer code",
+            "more than one code, of which none is chosen",
+            "",
+            "the same code as in line 9"
+        ]
+    );
+    // The exercise has three attempts; the code was made where it had more.
+    let one = text(GOALS).replace("\"attempts\": 3", "\"attempts\": 1");
+    assert_ne!(one, text(GOALS));
+    let exercise = file("attempts.json", &one);
+    let document = mo_copp::exercise::Exercise::parse(&text(GOALS)).unwrap();
+    let variant = document.variant(7).unwrap();
+    let tally = mo_copp::exercise::Tally { attempts: 2, hints: 0 };
+    let table = format!("code\n{}\n", document.code(&variant, variant.solution(), tally));
+    let ran = mo_copp(&table, &["grade", exercise.to_str().unwrap(), "-"]);
+    let row = &rows(&ran.out)[0];
+    assert_eq!((&row["score"][..], &row["attempts"][..]), ("1", "2"));
+    assert_eq!(row["reason"], "the code tells of 2 attempts, the exercise has 1");
+}

@@ -1,9 +1,6 @@
 //! Tables of answer codes, as spreadsheets and course systems save them: their encoding, their separator, their columns.
 
-use std::borrow::Cow;
-
-use encoding_rs::{Encoding, UTF_8, WINDOWS_1252};
-
+use super::encoding::{decode, named_separator, printable};
 use super::records::{Record, Records, Wanted};
 
 /// What may stand between two fields.
@@ -43,10 +40,17 @@ impl CodeTable {
     /// The line and what is wrong with it, where no column is called `code`, or where two have a name that is looked for.
     pub fn read(bytes: &[u8]) -> Result<Self, (u64, String)> {
         let text = decode(bytes);
+        let named = named_separator(&text);
+        let (text, lines_before) = named.map_or((&*text, 0), |(_, after)| (after, 1));
+        let separators = match named {
+            Some((separator, _)) => vec![separator],
+            None => SEPARATORS.to_vec(),
+        };
         let mut wrong = None;
-        for separator in SEPARATORS {
-            let mut records = Records::new(&text, separator);
-            let head: Vec<String> = records.next().map_or_else(Vec::new, |record| record.fields);
+        for separator in separators {
+            let mut records = Records::new(text, separator).after(lines_before);
+            let head: Vec<String> =
+                records.next().map_or_else(Vec::new, |record| shown(record.fields));
             let Some(code) = column(&head, "code")? else {
                 // What is said is how the table looks with the separator that it is most likely to have.
                 let most = wrong.as_ref().is_none_or(|seen: &Vec<String>| head.len() > seen.len());
@@ -59,7 +63,7 @@ impl CodeTable {
             return Ok(Self { separator, head, rows, code, seed });
         }
         let found = wrong.unwrap_or_default().join(",");
-        Err((1, format!("found {found:?}, expected a column code")))
+        Err((lines_before + 1, format!("found {found:?}, expected a column code")))
     }
 
     /// The column of a name.
@@ -92,14 +96,9 @@ impl CodeTable {
     }
 }
 
-/// The text of a file: in the encoding that its first bytes name, else in UTF-8, else as Windows writes western languages.
-fn decode(bytes: &[u8]) -> Cow<'_, str> {
-    let encoding = match Encoding::for_bom(bytes) {
-        Some((named, _)) => named,
-        None if std::str::from_utf8(bytes).is_ok() => UTF_8,
-        None => WINDOWS_1252,
-    };
-    encoding.decode(bytes).0
+/// Fields as they are printed.
+fn shown(fields: Vec<String>) -> Vec<String> {
+    fields.iter().map(|field| printable(field)).collect()
 }
 
 /// Whether two names are of one column, whatever their capitals and blanks.
@@ -119,7 +118,8 @@ fn column(head: &[String], wanted: &str) -> Result<Option<usize>, (u64, String)>
 
 /// A row with a field for each column. Fields that are empty may be missing or too many.
 fn row(record: Record, head: &[String], code: usize, separator: u8) -> Row {
-    let Record { line, mut fields, is_open, like_rows } = record;
+    let Record { line, fields, is_open, like_rows } = record;
+    let mut fields = shown(fields);
     while fields.len() > head.len() && fields.last().is_some_and(|field| field.trim().is_empty()) {
         fields.pop();
     }

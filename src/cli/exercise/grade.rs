@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use mo_copp::exercise::code::canonical;
+use mo_copp::exercise::code::{canonical, is_like_code};
 use mo_copp::exercise::{CodeError, Exercise, Graded, Variant, seed_of};
 
 use super::args::GradeArgs;
+use super::cell::Cell;
 use super::code_table::{CodeTable, is_same};
 use crate::cli::error::CliError;
 use crate::cli::{input, print};
@@ -39,13 +40,16 @@ pub fn run(args: &GradeArgs) -> Result<u8, CliError> {
             (None, Some(column)) => Ok(Some(seed_of(&row.fields[column]))),
             (None, None) => table.seed(row),
         };
-        let code = table.code(row);
+        let cell = Cell::read(table.code(row));
         let mut added = match seed {
-            Ok(seed) => graded(&exercise, code, seed, &mut drawn),
+            Ok(seed) => graded(&exercise, &cell, seed, &mut drawn),
             Err(reason) => not_graded(reason),
         };
-        let same = canonical(code);
-        if varies && row.broken.is_none() && !same.is_empty() {
+        let same = match &cell {
+            Cell::Code(code) if varies && is_like_code(code) => Some(canonical(code)),
+            _ => None,
+        };
+        if let (Some(same), None) = (same, &row.broken) {
             let earlier = *first.entry(same).or_insert(row.line);
             if earlier != row.line {
                 added[1] = joined(&added[1], &format!("the same code as in line {earlier}"));
@@ -75,6 +79,12 @@ fn joined(reason: &str, further: &str) -> String {
     format!("{reason}{and}{further}")
 }
 
+/// What is remarked of a code that tells more attempts than the exercise has. The answer keeps its score: attempts are
+/// not proved by a code.
+fn too_many(attempts: u32, most: u32) -> String {
+    format!("the code tells of {attempts} attempts, the exercise has {most}")
+}
+
 /// What is added to a row that has no answer, or none that can be checked.
 fn not_graded(reason: String) -> [String; ADDED.len()] {
     ["0".to_owned(), reason, String::new(), String::new(), String::new(), String::new()]
@@ -83,13 +93,17 @@ fn not_graded(reason: String) -> [String; ADDED.len()] {
 /// What is added to the row of a code.
 fn graded(
     exercise: &Exercise,
-    code: &str,
+    cell: &Cell,
     seed: Option<u64>,
     drawn: &mut BTreeMap<u64, Variant>,
 ) -> [String; ADDED.len()] {
-    if code.trim().is_empty() {
-        return not_graded("no answer".to_owned());
-    }
+    let code = match cell {
+        Cell::Code(code) => code,
+        Cell::Empty => return not_graded("no answer".to_owned()),
+        Cell::Several => {
+            return not_graded("more than one code, of which none is chosen".to_owned());
+        }
+    };
     match exercise.grade_with(code, seed, drawn) {
         Err(error) => {
             let mut added = not_graded(error.to_string());
@@ -100,7 +114,10 @@ fn graded(
         }
         Ok(Graded { variant, answer, verdict, tally, .. }) => [
             verdict.score().to_string(),
-            verdict.reason().to_owned(),
+            match exercise.attempts().filter(|&most| tally.attempts > most) {
+                Some(most) => joined(verdict.reason(), &too_many(tally.attempts, most)),
+                None => verdict.reason().to_owned(),
+            },
             variant.seed().to_string(),
             variant.form().in_words(&answer),
             tally.attempts.to_string(),

@@ -1,7 +1,9 @@
 //! `mo-copp exercise`: shows an exercise or a variant of it, and checks an answer.
 
 pub mod args;
+mod cell;
 mod code_table;
+mod encoding;
 pub mod grade;
 mod records;
 

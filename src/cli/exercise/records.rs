@@ -43,6 +43,11 @@ impl<'t> Records<'t> {
         Self { rest: text, line: 1, separator, wanted: None }
     }
 
+    /// The same, where lines before the text belong to it.
+    pub fn after(self, lines: u64) -> Self {
+        Self { line: self.line + lines, ..self }
+    }
+
     /// The same; those that follow are rows like this.
     pub fn with_rows(self, wanted: Wanted) -> Self {
         Self { wanted: Some(wanted), ..self }
