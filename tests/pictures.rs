@@ -200,3 +200,26 @@ fn the_golden_picture_is_drawn_again() {
     let golden = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/golden/picture.svg");
     assert_eq!(svg, std::fs::read_to_string(golden).unwrap(), "{golden}");
 }
+
+#[test]
+fn where_the_box_began_is_marked_once_it_is_elsewhere() {
+    let text = include_str!("../examples/box-pushing.json");
+    let (document, problem) = load(text);
+    let plan = ["move-forward", "move-forward", "turn-left"];
+    let plan = Plan::from_names(problem.task(), &plan).unwrap();
+    let outlines = |step: usize| {
+        let mut options = PictureOptions::step(step);
+        options.boards = Boards::Actor;
+        let svg = draw(&document, &problem, &plan, &options).unwrap();
+        let xml = Xml::parse(&svg).unwrap();
+        let is_outline = |node: &Node<'_, '_>| {
+            let has = |key: &str, value: &str| node.attribute(key) == Some(value);
+            node.has_tag_name(("http://www.w3.org/2000/svg", "rect"))
+                && has("fill", "none")
+                && has("rx", "2")
+        };
+        xml.descendants().filter(is_outline).count()
+    };
+    // The first step leads to the box, the second pushes it.
+    assert_eq!([0, 1, 2, 3].map(outlines), [0, 0, 1, 1]);
+}

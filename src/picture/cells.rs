@@ -8,6 +8,7 @@ use crate::problem::{StateLabel, Value};
 use crate::report::{BeliefReport, Feature};
 
 use super::boards::{BoardInput, Owner, SIDE};
+use super::signs::{bolt, star};
 use super::svg::{Anchor, Escaped, Number, Svg, fitting};
 
 /// What does not change from step to step.
@@ -109,11 +110,12 @@ pub(super) fn draw(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>, sta
     .to_string();
     svg.circle(floor.middle(start), floor.sign() * 0.2, &stroke);
     if let Some(charger) = floor.charger {
-        bolt(svg, floor, charger, palette.star_edge, palette.star);
+        bolt(svg, floor.middle(charger), floor.sign() * 0.3, palette.star, palette.star_edge);
     }
     if input.owner == Owner::Actor {
         way(svg, input, floor);
     }
+    begun(svg, input, floor);
     things(svg, input, floor);
     goals(svg, input, floor);
     robot(svg, input, floor);
@@ -185,21 +187,6 @@ fn cameras(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
     }
 }
 
-/// A flash of lightning, for the charger.
-fn bolt(svg: &mut Svg, floor: &Floor<'_>, cell: Cell, edge: &str, fill: &str) {
-    let [x, y] = floor.middle(cell);
-    let unit = floor.sign() * 0.3;
-    let points = [(0.2, -1.0), (-0.6, 0.2), (-0.05, 0.2), (-0.2, 1.0), (0.6, -0.25), (0.05, -0.25)];
-    let path: Vec<String> = points
-        .iter()
-        .map(|(right, down)| format!("{} {}", Number(x + unit * right), Number(y + unit * down)))
-        .collect();
-    svg.raw(format_args!(
-        r#"<path d="M{}z" fill="{fill}" stroke="{edge}" stroke-width="1"/>"#,
-        path.join("L")
-    ));
-}
-
 /// The agent's way: walked as a line, to come as dots.
 fn way(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
     let points = |steps: &[crate::report::StepReport]| -> String {
@@ -225,10 +212,34 @@ fn way(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
     ));
 }
 
+/// What lies on the floor, with its width and height in cells.
+const THINGS: [(&str, [f64; 2]); 2] = [("box", [0.56, 0.56]), ("can", [0.34, 0.34 * 1.35])];
+
+/// Where the box or the can was at first, once it is elsewhere: an outline as faint as that of the robot's start.
+fn begun(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
+    for (part, size) in THINGS {
+        let first = input.steps.first().and_then(|step| place(&step.state, part));
+        let Some(cell) = first.filter(|&cell| place(&input.step().state, part) != Some(cell))
+        else {
+            continue;
+        };
+        let [x, y] = floor.middle(cell);
+        let [width, height] = size.map(|part| part * floor.sign());
+        let line = Number((floor.sign() * 0.05).max(1.0));
+        svg.rect(
+            [x - width / 2.0, y - height / 2.0, width, height],
+            format_args!(
+                r#"rx="2" fill="none" stroke="{}" stroke-width="{line}""#,
+                input.palette.muted
+            ),
+        );
+    }
+}
+
 /// The box or the can: solid where it is certain, dashed where it is one of several places.
 fn things(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
     let palette = input.palette;
-    for (part, shape) in [("box", 0.56), ("can", 0.34)] {
+    for (part, size) in THINGS {
         let spots = match (input.owner, input.summary()) {
             (Owner::Observer(_), Some(summary)) => spots(summary, part),
             _ => {
@@ -238,11 +249,7 @@ fn things(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
         };
         for Spot { cell, certain } in spots {
             let [x, y] = floor.middle(cell);
-            let (width, height) = match part {
-                "box" => (shape, shape),
-                _ => (shape, shape * 1.35),
-            };
-            let (width, height) = (width * floor.sign(), height * floor.sign());
+            let [width, height] = size.map(|part| part * floor.sign());
             let look = if certain {
                 format!(r#"fill="{}" stroke="{}""#, palette.parcel, palette.parcel_edge)
             } else {
@@ -321,30 +328,6 @@ fn goals(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
         }
         svg.raw("</g>");
     }
-}
-
-/// A star of five points around a middle.
-pub(super) fn star(svg: &mut Svg, [x, y]: [f64; 2], radius: f64, fill: &str, edge: &str) {
-    // The ten corners of a star of radius 1, beginning at its top.
-    const CORNERS: [[f64; 2]; 10] = [
-        [0.0, -1.0],
-        [0.24, -0.32],
-        [0.95, -0.31],
-        [0.38, 0.12],
-        [0.59, 0.81],
-        [0.0, 0.4],
-        [-0.59, 0.81],
-        [-0.38, 0.12],
-        [-0.95, -0.31],
-        [-0.24, -0.32],
-    ];
-    let corner = |[right, down]: [f64; 2]| {
-        format!("{} {}", Number(x + radius * right), Number(y + radius * down))
-    };
-    svg.raw(format_args!(
-        r#"<path d="M{}z" fill="{fill}" stroke="{edge}" stroke-width="0.8"/>"#,
-        CORNERS.map(corner).join("L")
-    ));
 }
 
 /// The agent: solid on its own board, a dashed outline on an observer's, which does not see it.

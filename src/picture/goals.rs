@@ -1,7 +1,7 @@
 //! The list of candidate goals below a board: which of them the observer holds possible.
 
 use super::boards::{BoardInput, Owner, SIDE};
-use super::cells::star;
+use super::signs::star;
 use super::svg::{Anchor, Number, Svg};
 
 const SIZE: f64 = 18.0;

@@ -26,6 +26,7 @@ mod listing;
 mod palette;
 mod request;
 mod sheet;
+mod signs;
 mod svg;
 
 use thiserror::Error;
