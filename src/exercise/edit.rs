@@ -11,6 +11,9 @@ use crate::domain::grid::Cell;
 #[derive(Debug, Clone)]
 pub(super) struct Draft(Value);
 
+/// That a box lies in a cell at first.
+pub(super) const BOX: &str = "box begins there";
+
 /// A cell as JSON.
 fn cell_in(value: &Value) -> Option<Cell> {
     let number = |index: usize| u32::try_from(value.get(index)?.as_u64()?).ok();
@@ -80,15 +83,46 @@ impl Draft {
         self.0["true_goal"] = json!(name);
     }
 
-    /// The cells that an observer believes at first, where it is told any.
-    pub(super) fn belief(&self, observer: &str) -> Option<Vec<Cell>> {
-        let belief = self.0["observers"][observer].get("initial_belief")?.as_array()?;
-        belief.iter().map(cell_in).collect()
+    /// How it begins: a cell, or an object with the parts of a state.
+    pub(super) fn start_state(&self) -> &Value {
+        &self.0["start"]
     }
 
-    /// Replaces the cells that an observer believes at first.
-    pub(super) fn set_belief(&mut self, observer: &str, cells: &[Cell]) {
-        self.0["observers"][observer]["initial_belief"] = json!(cells);
+    /// What lies on the floor at first, beside the robot, each with its cell: a box, a can, a charger.
+    fn lying(&self) -> impl Iterator<Item = (&'static str, Cell)> {
+        let start = &self.0["start"];
+        let lying = [
+            (BOX, start.get("box")),
+            ("can begins there", start.get("can")),
+            ("charger is there", self.0.get("charger")),
+        ];
+        lying.into_iter().filter_map(|(what, cell)| Some((what, cell_in(cell?)?)))
+    }
+
+    /// The cells in which something lies at first.
+    pub(super) fn taken(&self) -> Vec<Cell> {
+        self.lying().map(|(_, cell)| cell).collect()
+    }
+
+    /// What lies in a cell at first, in words.
+    pub(super) fn lying_at(&self, cell: Cell) -> Option<&'static str> {
+        self.lying().find(|&(_, place)| place == cell).map(|(what, _)| what)
+    }
+
+    /// How many levels a battery has; none where there is no battery.
+    pub(super) fn battery_levels(&self) -> u64 {
+        self.0.get("battery_levels").and_then(Value::as_u64).unwrap_or_default()
+    }
+
+    /// The states that an observer believes at first, where it is told any.
+    pub(super) fn belief(&self, observer: &str) -> Option<&[Value]> {
+        Some(self.0["observers"][observer].get("initial_belief")?.as_array()?)
+    }
+
+    /// Replaces the states that an observer believes at first. They are in order: no place is the start's.
+    pub(super) fn set_belief(&mut self, observer: &str, mut states: Vec<Value>) {
+        states.sort_by_cached_key(|state| (cell_in(state), state.to_string()));
+        self.0["observers"][observer]["initial_belief"] = Value::Array(states);
     }
 
     /// Gives an observer one more camera.

@@ -19,7 +19,9 @@ mod answer;
 mod belief_layers;
 mod block;
 pub mod code;
+mod drawn_cells;
 mod edit;
+mod initial_belief;
 mod kind;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod schema;

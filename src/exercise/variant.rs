@@ -9,6 +9,7 @@ use sha2::{Digest as _, Sha256};
 use super::answer::{Answer, Form};
 use super::belief_layers::MAX_STATES;
 use super::block::{Block, Vary};
+use super::drawn_cells::{below, draw_cells, free_cells};
 use super::edit::Draft;
 use super::kind::{Kind, Solved};
 use super::subject::Subject;
@@ -157,6 +158,15 @@ pub(super) fn check_vary(block: &Block, document: &Document) -> Result<(), Docum
                 format!("something that a {} document has and the question needs", draft.format());
             return Err(DocumentError::invalid(format!("exercise.vary[{index}]"), found, expected));
         }
+        let is_other = |cell: &Cell| draft.start() != Some(*cell);
+        let varies = |vary: Vary| block.vary.contains(&vary);
+        if *vary == Vary::Start && !free_cells(&draft, &varies).iter().any(is_other) {
+            let path = format!("exercise.vary[{index}]");
+            let found = "start, where no other cell is free";
+            let expected =
+                "a cell without a wall, a goal, a box, a can or a charger for another start";
+            return Err(DocumentError::invalid(path, found, expected));
+        }
     }
     check_answers_vary(block)
 }
@@ -235,58 +245,6 @@ fn drawn(block: &Block, original: &Variant, random: &mut impl Rng) -> Option<(Su
         }
     };
     Some((Subject { document, problem }, kind))
-}
-
-/// A number below another; none where there is none.
-fn below(random: &mut impl Rng, count: usize) -> Option<usize> {
-    let count = u32::try_from(count).ok().filter(|&count| count > 0)?;
-    Some(random.random_range(0..count) as usize)
-}
-
-/// Takes so many of the cells at random.
-fn take(random: &mut impl Rng, cells: &mut Vec<Cell>, count: usize) -> Option<Vec<Cell>> {
-    (0..count).map(|_| Some(cells.swap_remove(below(random, cells.len())?))).collect()
-}
-
-/// Draws walls, goals, start and beliefs, those that vary, as many as there were.
-fn draw_cells(
-    draft: &mut Draft,
-    varies: &dyn Fn(Vary) -> bool,
-    random: &mut impl Rng,
-) -> Option<()> {
-    let [width, height] = draft.size()?;
-    let (mut walls, mut goals, mut start) = (draft.walls(), draft.goals(), draft.start()?);
-    let mut free: Vec<Cell> =
-        (0..height).flat_map(|row| (0..width).map(move |column| [column, row])).collect();
-    free.retain(|cell| {
-        (varies(Vary::Walls) || !walls.contains(cell))
-            && (varies(Vary::Goals) || !goals.contains(cell))
-            && (varies(Vary::Start) || start != *cell)
-    });
-    if varies(Vary::Walls) {
-        walls = take(random, &mut free, walls.len())?;
-        draft.set_walls(&walls);
-    }
-    if varies(Vary::Goals) {
-        goals = take(random, &mut free, goals.len())?;
-        draft.set_goals(&goals);
-    }
-    if varies(Vary::Start) {
-        start = take(random, &mut free, 1)?[0];
-        draft.set_start(start);
-    }
-    for observer in ["adversarial", "cooperative"] {
-        let Some(belief) = draft.belief(observer) else { continue };
-        if varies(Vary::Start) || varies(Vary::Walls) {
-            let mut others: Vec<Cell> =
-                free.iter().chain(&goals).copied().filter(|&cell| cell != start).collect();
-            let mut cells = take(random, &mut others, belief.len().checked_sub(1)?)?;
-            cells.push(start);
-            cells.sort_unstable();
-            draft.set_belief(observer, &cells);
-        }
-    }
-    Some(())
 }
 
 /// A walk of so many steps that does not go straight back where it need not.

@@ -6,6 +6,7 @@ mod feedback;
 mod lesson;
 pub mod seeds;
 mod variants;
+mod variants_with_beliefs;
 
 use mo_copp::exercise::{Exercise, Variant, Verdict};
 

@@ -9,7 +9,7 @@ use crate::document::DocumentError;
 use crate::document::reader::Fields;
 use crate::exercise::answer::{Answer, Arity, Form, MAX_CHOICES};
 use crate::exercise::belief_layers::{POSSIBLE, called};
-use crate::exercise::edit::Draft;
+use crate::exercise::edit::{BOX, Draft};
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
 use crate::exercise::{Difficulty, Unfit};
@@ -100,14 +100,18 @@ impl Placement {
         if draft.walls().contains(&cell) {
             return "a wall is there".to_owned();
         }
-        if self.place == Place::Wall {
-            if draft.start() == Some(cell) {
-                return "the start is there".to_owned();
-            }
-            let mut goals = subject.goal_names().zip(draft.goals());
-            if let Some((name, _)) = goals.find(|&(_, goal)| goal == cell) {
-                return format!("the goal {name} is there");
-            }
+        if self.place == Place::Wall && draft.start() == Some(cell) {
+            return "the start is there".to_owned();
+        }
+        // A robot may begin where a can or a charger is.
+        let blocks = |thing: &&str| self.place == Place::Wall || *thing == BOX;
+        if let Some(thing) = draft.lying_at(cell).filter(blocks) {
+            return format!("the {thing}");
+        }
+        let mut goals = subject.goal_names().zip(draft.goals());
+        if let Some((name, _)) = goals.find(|&(_, goal)| self.place == Place::Wall && goal == cell)
+        {
+            return format!("the goal {name} is there");
         }
         let watched = subject.problem.observers().iter().find(|observer| {
             error.to_string().starts_with(&format!("observers.{}.initial_belief", observer.name))
@@ -119,7 +123,8 @@ impl Placement {
             (Some(observer), _) => {
                 format!("{} holds it possible at first", called(observer.role))
             }
-            (None, _) => error.to_string(),
+            // A document's paths are no terms of the board.
+            (None, _) => "it does not fit the rest of the problem".to_owned(),
         }
     }
 

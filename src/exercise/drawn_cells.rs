@@ -1,0 +1,83 @@
+//! Cells that are drawn anew: walls, goals, the start, and the initial beliefs that hold it.
+
+use std::collections::BTreeSet;
+
+use rand::{Rng, RngExt};
+use serde_json::Value;
+
+use super::block::Vary;
+use super::edit::Draft;
+use super::initial_belief::{Believable, Others};
+use crate::domain::grid::Cell;
+
+/// A number below another; none where there is none.
+pub(super) fn below(random: &mut impl Rng, count: usize) -> Option<usize> {
+    let count = u32::try_from(count).ok().filter(|&count| count > 0)?;
+    Some(random.random_range(0..count) as usize)
+}
+
+/// Takes this many at random.
+fn take<T>(random: &mut impl Rng, among: &mut Vec<T>, count: usize) -> Option<Vec<T>> {
+    (0..count).map(|_| Some(among.swap_remove(below(random, among.len())?))).collect()
+}
+
+/// The cells that walls, goals and a start can be drawn from: those of what varies, and those in which nothing is.
+pub(super) fn free_cells(draft: &Draft, varies: &dyn Fn(Vary) -> bool) -> Vec<Cell> {
+    let Some([width, height]) = draft.size() else { return Vec::new() };
+    let (walls, goals, taken) = (draft.walls(), draft.goals(), draft.taken());
+    let cells = (0..height).flat_map(|row| (0..width).map(move |column| [column, row]));
+    let is_free = |cell: &Cell| {
+        (varies(Vary::Walls) || !walls.contains(cell))
+            && (varies(Vary::Goals) || !goals.contains(cell))
+            && (varies(Vary::Start) || draft.start() != Some(*cell))
+            && !taken.contains(cell)
+    };
+    cells.filter(is_free).collect()
+}
+
+/// Draws walls, goals, start and beliefs, those that vary, as many as there were.
+pub(super) fn draw_cells(
+    draft: &mut Draft,
+    varies: &dyn Fn(Vary) -> bool,
+    random: &mut impl Rng,
+) -> Option<()> {
+    let (mut walls, mut goals, mut start) = (draft.walls(), draft.goals(), draft.start()?);
+    let (taken, start_before) = (draft.taken(), draft.start_state().clone());
+    let mut free = free_cells(draft, varies);
+    if varies(Vary::Walls) {
+        walls = take(random, &mut free, walls.len())?;
+        draft.set_walls(&walls);
+    }
+    if varies(Vary::Goals) {
+        goals = take(random, &mut free, goals.len())?;
+        draft.set_goals(&goals);
+    }
+    if varies(Vary::Start) {
+        start = take(random, &mut free, 1)?[0];
+        draft.set_start(start);
+    }
+    if !(varies(Vary::Start) || varies(Vary::Walls)) {
+        return Some(());
+    }
+    let mut cells = free;
+    cells.extend(goals.into_iter().chain(taken));
+    // A cell may be that of a goal and of the start.
+    let mut seen = BTreeSet::new();
+    cells.retain(|&cell| seen.insert(cell));
+    if seen.insert(start) {
+        cells.push(start);
+    }
+    let start = draft.start_state().clone();
+    let (start_before, battery_levels) = (&start_before, draft.battery_levels());
+    let believable = Believable { start_before, start: &start, cells: &cells, battery_levels };
+    for observer in ["adversarial", "cooperative"] {
+        let Some(belief) = draft.belief(observer) else { continue };
+        let others = Others::new(belief, &believable);
+        let numbers = take(random, &mut others.numbers(), others.size().checked_sub(1)?)?;
+        let mut states: Vec<Value> =
+            numbers.into_iter().map(|number| others.state(number)).collect();
+        states.push(start.clone());
+        draft.set_belief(observer, states);
+    }
+    Some(())
+}
