@@ -29,6 +29,7 @@ mod subject;
 mod variant;
 mod variant_sample;
 mod verdict;
+mod words;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

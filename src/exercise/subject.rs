@@ -7,6 +7,7 @@ use super::Unfit;
 use super::answer::{Answer, Form};
 use super::belief_layers::{BeliefLayers, POSSIBLE};
 use super::verdict::{Finding, Verdict};
+use super::words;
 use crate::domain::Document;
 use crate::goal_difference;
 use crate::limits::Limits;
@@ -196,10 +197,7 @@ impl Subject {
                 execute(task, &plan, label).ok().and_then(|(_, states)| states.last().cloned());
             let end =
                 end.map_or_else(String::new, |state| self.problem.label(state.words()).to_string());
-            let text = format!(
-                "The walk ends at {end}, which is not in the true goal {}.",
-                self.true_goal()
-            );
+            let text = words::misses_goal(&self.document, &end, self.true_goal());
             return Err(Verdict::wrong([Finding::plain(text)]));
         }
         Ok(Walked { plan, goal_difference, survivors })

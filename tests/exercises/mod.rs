@@ -7,6 +7,7 @@ mod lesson;
 pub mod seeds;
 mod variants;
 mod variants_with_beliefs;
+mod words;
 
 use mo_copp::exercise::{Exercise, Variant, Verdict};
 

@@ -9,7 +9,7 @@ use crate::exercise::answer::{Answer, Arity, Form, MAX_ANSWER, MAX_CHOICES};
 use crate::exercise::belief_layers::BELIEVED;
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
-use crate::exercise::{Difficulty, Unfit};
+use crate::exercise::{Difficulty, Unfit, words};
 use crate::problem::StateLabel;
 use crate::task::StateSpace;
 
@@ -53,7 +53,8 @@ impl Belief {
 impl Question for Belief {
     fn text(&self, subject: &Subject) -> String {
         let who = self.watching.who(&subject.problem);
-        format!("{}: where can the agent be for all that {who} knows?", self.watching.walk())
+        let asked = words::asks_for_belief(&subject.document, who);
+        format!("{}: {asked}", self.watching.walk())
     }
 
     fn form(&self, subject: &Subject) -> Result<Form, Unfit> {

@@ -11,7 +11,7 @@ use crate::exercise::answer::{Answer, Arity, Form};
 use crate::exercise::belief_layers::POSSIBLE;
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
-use crate::exercise::{Difficulty, Unfit};
+use crate::exercise::{Difficulty, Unfit, words};
 
 /// The question.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -31,10 +31,9 @@ impl Question for Guess {
     fn text(&self, subject: &Subject) -> String {
         let who = self.watching.who(&subject.problem);
         let told = self.watching.layers(subject).map(|layers| layers.symbols());
-        format!(
-            "At the end of its walk the agent is in its goal. Of the walk {who} is told: {}. Which goal is it?",
-            told.unwrap_or_default().join(", ")
-        )
+        let ends = words::ends_in_goal(&subject.document);
+        let told = told.unwrap_or_default().join(", ");
+        format!("{ends} Of the walk {who} is told: {told}. Which goal is it?")
     }
 
     fn form(&self, subject: &Subject) -> Result<Form, Unfit> {

@@ -28,6 +28,9 @@ const kindWords: Record<Kind, string> = {
   guess: "Guess the goal",
 };
 
+/** Where a state is more than a cell. */
+const STATES = "Which states are possible";
+
 const varyWords: Record<Vary, string> = {
   start: "the start",
   goals: "the goals",
@@ -59,7 +62,7 @@ export function authorPanel(playground: AuthorPanelStores): TemplateResult {
       "Kind of question",
       fields.kind,
       kindsOf(shown.document),
-      (kind) => kindWords[kind],
+      (kind) => (kind === "belief" && shown.document.format !== "gridworld" ? STATES : kindWords[kind]),
       (kind) => draft.edit({ kind }),
     )}
     ${text("Title", fields.title, (title) => draft.edit({ title }))}
