@@ -139,6 +139,21 @@ test("variants that no student gets are refused, and such as are all the same ar
     }
   }));
 
+test("where a student would choose among many states, it is said once, with what helps", () =>
+  opened({ tab: "Exercise" }, async (page) => {
+    await page.goto(`${address}?problem=box-pushing`);
+    await statusIs(page, "optimal");
+    await openTab(page, "Exercise");
+    await page.getByLabel("Kind of question").selectOption({ label: "Which states are possible" });
+    await press(page, "Try it as a student");
+    await page.getByText(/^A student chooses among [\d,]+ states: a smaller floor, more walls/).waitFor();
+    assert.equal(await page.locator(".exercise").count(), 0);
+    await press(page, "Try it as a student");
+    await page.locator('.exercise[data-kind="belief"]').waitFor();
+    await page.getByRole("searchbox", { name: "Search" }).waitFor();
+    await assertNoBarrier(page, "a long list of states");
+  }));
+
 test("the link opens the question, and the code holds the document", () =>
   opened({ tab: "Exercise", permissions: ["clipboard-read", "clipboard-write"] }, async (page) => {
     await page.getByLabel("Kind of question").selectOption("best");
