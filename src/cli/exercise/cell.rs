@@ -117,7 +117,7 @@ mod tests {
         let exercise = mo_copp::exercise::Exercise::parse(&text).unwrap();
         [3, 4].map(|seed| {
             let variant = exercise.variant(seed).unwrap();
-            exercise.code(&variant, variant.solution(), Default::default())
+            exercise.code(&variant, variant.solution(), mo_copp::exercise::Tally::default())
         })
     }
 

@@ -50,7 +50,7 @@ impl CodeTable {
         for separator in separators {
             let mut records = Records::new(text, separator).after(lines_before);
             let head: Vec<String> =
-                records.next().map_or_else(Vec::new, |record| shown(record.fields));
+                records.next().map_or_else(Vec::new, |record| shown(&record.fields));
             let Some(code) = column(&head, "code")? else {
                 // What is said is how the table looks with the separator that it is most likely to have.
                 let most = wrong.as_ref().is_none_or(|seen: &Vec<String>| head.len() > seen.len());
@@ -97,7 +97,7 @@ impl CodeTable {
 }
 
 /// Fields as they are printed.
-fn shown(fields: Vec<String>) -> Vec<String> {
+fn shown(fields: &[String]) -> Vec<String> {
     fields.iter().map(|field| printable(field)).collect()
 }
 
@@ -119,7 +119,7 @@ fn column(head: &[String], wanted: &str) -> Result<Option<usize>, (u64, String)>
 /// A row with a field for each column. Fields that are empty may be missing or too many.
 fn row(record: Record, head: &[String], code: usize, separator: u8) -> Row {
     let Record { line, fields, is_open, like_rows } = record;
-    let mut fields = shown(fields);
+    let mut fields = shown(&fields);
     while fields.len() > head.len() && fields.last().is_some_and(|field| field.trim().is_empty()) {
         fields.pop();
     }
