@@ -28,7 +28,8 @@ const ready = (page: Page, more = "") =>
 const titled = (page: Page, title: string) => page.locator("#one .title", { hasText: title }).first().waitFor();
 
 const core = /mo_copp_bg-[^/]*\.wasm/;
-const noCore = "could not be loaded. Your problem is as it was. Check the connection, then try again.";
+const noCore =
+  /could not be loaded\. Your problem is as it was\. http\S+\.wasm could not be loaded\. Check the connection, then try again\./;
 
 test("a part of the core that did not come is asked for again, for whatever needed it", () =>
   visit(

@@ -67,7 +67,10 @@ test("a solver that can't be started is said to be that, and is tried again by o
     async ({ page }) => {
       await statusIs(page, "error");
       const words = (await alert(page).textContent()) ?? "";
-      assert.match(words, /^The solver could not be started \(.+\)\. It needs a connection to load/);
+      assert.match(
+        words,
+        /^The solver could not be started: http\S+\.wasm could not be loaded\. Check the connection, then try again\./,
+      );
       assert.equal(/your problem|is ready/i.test(words), false);
       await page.getByText("There is nothing to show.").waitFor();
       // It is still so.
