@@ -1,9 +1,6 @@
 //! Cells that are drawn anew: walls, goals, the start, and the initial beliefs that hold it.
 
-use std::collections::BTreeSet;
-
 use rand::{Rng, RngExt};
-use serde_json::Value;
 
 use super::block::Vary;
 use super::edit::Draft;
@@ -60,12 +57,11 @@ pub(super) fn draw_cells(
         return Some(());
     }
     let mut cells = free;
-    cells.extend(goals.into_iter().chain(taken));
-    // A cell may be that of a goal and of the start.
-    let mut seen = BTreeSet::new();
-    cells.retain(|&cell| seen.insert(cell));
-    if seen.insert(start) {
-        cells.push(start);
+    for cell in goals.into_iter().chain(taken).chain([start]) {
+        // A cell may be that of a goal and of the start.
+        if !cells.contains(&cell) {
+            cells.push(cell);
+        }
     }
     let start = draft.start_state().clone();
     let (start_before, battery_levels) = (&start_before, draft.battery_levels());
@@ -74,10 +70,8 @@ pub(super) fn draw_cells(
         let Some(belief) = draft.belief(observer) else { continue };
         let others = Others::new(belief, &believable);
         let numbers = take(random, &mut others.numbers(), others.size().checked_sub(1)?)?;
-        let mut states: Vec<Value> =
-            numbers.into_iter().map(|number| others.state(number)).collect();
-        states.push(start.clone());
-        draft.set_belief(observer, states);
+        let states: Vec<_> = numbers.into_iter().map(|number| others.state(number)).collect();
+        draft.set_belief(observer, states.into_iter().chain([start.clone()]));
     }
     Some(())
 }

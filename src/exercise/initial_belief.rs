@@ -3,8 +3,6 @@
 //! What all states of the old belief had in common with the old start, those of the new one have in common with the new
 //! start; the parts in which they differed are drawn.
 
-use std::collections::BTreeSet;
-
 use serde_json::{Value, json};
 
 use crate::domain::grid::{Cell, Direction};
@@ -42,7 +40,8 @@ impl<'a> Others<'a> {
                 .collect(),
             _ => vec![(String::new(), values("", believed, believable))],
         };
-        let size = believed.iter().map(Value::to_string).collect::<BTreeSet<_>>().len();
+        let is_new = |&at: &usize| !believed[..at].contains(&believed[at]);
+        let size = (0..believed.len()).filter(is_new).count();
         Self { start, parts, size }
     }
 
@@ -81,13 +80,15 @@ impl<'a> Others<'a> {
 fn values(key: &str, believed: &[Value], believable: &Believable<'_>) -> Vec<Value> {
     match key {
         "facing" => Direction::ALL.iter().map(|direction| json!(direction.name())).collect(),
-        "battery" => (0..believable.battery_levels).map(|level| json!(level)).collect(),
+        "battery" => (0..believable.battery_levels).map(Value::from).collect(),
         _ => {
-            let cells = believable.cells.iter().map(|cell| json!(cell));
-            let is_held = |state: &Value| state.get(key).is_some_and(Value::is_string);
-            let held =
-                believed.iter().find(|&state| is_held(state)).map(|state| state[key].clone());
-            cells.chain(held).collect()
+            let mut values: Vec<Value> = Vec::with_capacity(believable.cells.len() + 1);
+            for &[column, row] in believable.cells {
+                values.push(Value::Array(vec![column.into(), row.into()]));
+            }
+            let held = believed.iter().map(|state| &state[key]).find(|value| value.is_string());
+            values.extend(held.cloned());
+            values
         }
     }
 }
