@@ -165,3 +165,29 @@ fn what_is_no_task_has_its_place() {
         assert!(error.starts_with(expected), "{error}");
     }
 }
+
+/// Every classic task, where they are at hand.
+#[test]
+fn every_classic_task_is_imported_or_has_too_few_permutations() {
+    let (mut imported, mut refused) = (0, 0);
+    for (domain, number, domain_file, task_file) in crate::pddl::ipc::tasks("import of IPC tasks") {
+        let text = |path: &std::path::Path| std::fs::read_to_string(path).unwrap();
+        match import(&text(&domain_file), &text(&task_file), 5, 1) {
+            Ok(found) => {
+                let goals: BTreeSet<&str> = goals(&found).into_iter().collect();
+                assert_eq!(goals.len(), 5, "{domain} {number}");
+                let document = Document::from(found.document);
+                assert_eq!(Document::parse(&document.to_json()).unwrap(), document);
+                imported += 1;
+            }
+            Err(error) => {
+                let few = ["found no other goal", "different goals with other objects"];
+                assert!(few.iter().any(|few| error.contains(few)), "{domain} {number}: {error}");
+                refused += 1;
+            }
+        }
+    }
+    if imported + refused > 0 {
+        assert!(imported > 100, "{imported} imported, {refused} refused");
+    }
+}

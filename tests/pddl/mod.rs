@@ -8,7 +8,7 @@ mod blow_up;
 mod exclusive;
 mod fuzz;
 mod grounding;
-mod ipc;
+pub mod ipc;
 mod manners;
 mod oracle;
 mod pyperplan;
