@@ -14,7 +14,7 @@
 
 use super::UNREACHABLE;
 use super::supporter_sets::SupporterSets;
-use crate::task::{Fact, Task};
+use crate::task::{Action, Fact, Task};
 
 /// The heuristic of one task, with room to work in.
 #[derive(Debug, Clone)]
@@ -132,6 +132,30 @@ impl SetAdditive {
     }
 }
 
+impl SetAdditive {
+    /// The actions of the relaxed plan of a goal that can be taken at once, sorted: preferred operators (Helmert 2006,
+    /// doi:10.1613/jair.1705). Of the state that was evaluated last, with this goal among others; none where it
+    /// cannot be reached.
+    ///
+    /// Linear in the operators of the relaxed plan with their preconditions.
+    pub(crate) fn preferred(&mut self, task: &Task, goal: &[Fact], actions: &mut Vec<Action>) {
+        actions.clear();
+        let (operators, known) = (&self.operators, &mut self.values);
+        let facts = || goal.iter().map(|fact| fact.index() as u32);
+        if facts().any(|fact| known.value[fact as usize] == UNREACHABLE) {
+            return;
+        }
+        known.visit(operators, facts(), |operator, value| {
+            let mut preconditions = operators.preconditions.row(operator).iter();
+            if preconditions.all(|&fact| value[fact as usize] == 0) {
+                actions.push(task.operators()[operator as usize].action);
+            }
+        });
+        actions.sort_unstable();
+        actions.dedup();
+    }
+}
+
 /// The supporters of those of some settled facts that do not hold in the state.
 fn supporters(
     value: &[u32],
@@ -154,19 +178,29 @@ impl Values {
 
     /// The same by walking over best supporters.
     fn walk(&mut self, operators: &Operators, facts: impl Iterator<Item = u32>) -> u32 {
+        let mut size = 0;
+        self.visit(operators, facts, |_, _| size += 1);
+        size
+    }
+
+    /// Goes through the union of `π` over some settled facts, with the value of each fact at hand.
+    fn visit(
+        &mut self,
+        operators: &Operators,
+        facts: impl Iterator<Item = u32>,
+        mut visit: impl FnMut(u32, &[u32]),
+    ) {
         self.marks += 1;
         self.stack.clear();
         self.stack.extend(facts);
-        let mut size = 0;
         while let Some(fact) = self.stack.pop() {
             let supporter = self.supporter[fact as usize];
             if self.value[fact as usize] > 0 && self.mark[supporter as usize] != self.marks {
                 self.mark[supporter as usize] = self.marks;
-                size += 1;
+                visit(supporter, &self.value);
                 self.stack.extend_from_slice(operators.preconditions.row(supporter));
             }
         }
-        size
     }
 
     /// The size of `π(a; s)` of an operator whose preconditions are settled.
@@ -254,5 +288,46 @@ impl Values {
                 self.buckets[size as usize].push(fact);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+    use crate::task::TaskBuilder;
+
+    /// A package goes from here to there by a truck that is elsewhere; a door can be opened meanwhile.
+    #[test]
+    fn preferred_actions_are_those_of_the_relaxed_plan_that_can_be_taken_at_once() {
+        let mut builder = TaskBuilder::default();
+        let fact = |builder: &mut TaskBuilder, name: &str| builder.fact(name);
+        let names = ["truck away", "truck here", "truck there", "here", "loaded", "there", "open"];
+        let facts = names.map(|name| fact(&mut builder, name));
+        let [away, near, far, here, loaded, there, open] = facts;
+        builder.operator("come", &[away], &[near], &[away]);
+        builder.operator("go", &[near], &[far], &[near]);
+        builder.operator("load", &[near, here], &[loaded], &[here]);
+        builder.operator("unload", &[far, loaded], &[there], &[loaded]);
+        builder.operator("open", &[], &[open], &[]);
+        builder.operator("close", &[open], &[], &[open]);
+        let task = builder.build(&[away, here], &[there]).unwrap();
+        let mut heuristic = SetAdditive::new(&task);
+        let mut preferred = |state: &[Fact], goal: &[Fact]| {
+            let mut value = [0];
+            let mut actions = vec![Action::new(0)];
+            let state = task.state(state).unwrap();
+            heuristic.evaluate(&task, state.words(), &[goal], &mut value);
+            heuristic.preferred(&task, goal, &mut actions);
+            let names: Vec<&str> = actions.iter().map(|&action| task.action_name(action)).collect();
+            (value[0], names.join(" "))
+        };
+        assert_eq!(preferred(&[away, here], &[there]), (4, "come".to_owned()));
+        assert_eq!(preferred(&[near, here], &[there]), (3, "go load".to_owned()));
+        assert_eq!(preferred(&[near, here], &[there, open]), (4, "go load open".to_owned()));
+        assert_eq!(preferred(&[far, loaded], &[there]), (1, "unload".to_owned()));
+        assert_eq!(preferred(&[near, there], &[there]), (0, String::new()));
+        assert_eq!(preferred(&[here], &[there]), (UNREACHABLE, String::new()));
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::heuristic::{SetAdditive, UNREACHABLE};
 use crate::problem::JointSpace;
-use crate::task::StateId;
+use crate::task::{Action, StateId};
 
 /// A value that has not been worked out.
 const UNKNOWN: u32 = UNREACHABLE - 1;
@@ -38,15 +38,38 @@ impl GoalEstimates {
         if row.len() <= state.index() {
             row.resize(state.index() + 1, UNKNOWN);
         }
-        if row[state.index()] == UNKNOWN {
-            self.worked_out += 1;
-            let problem = joint.problem();
-            let condition = problem.goals()[goal].condition.as_slice();
-            let mut value = [0];
-            let words = joint.states().words(state);
-            self.heuristic.evaluate(problem.task(), words, &[condition], &mut value);
-            row[state.index()] = value[0];
+        match row[state.index()] {
+            UNKNOWN => self.work_out(joint, state, goal),
+            known => known,
         }
-        row[state.index()]
+    }
+
+    /// The same, with the [preferred actions](SetAdditive::preferred) of the state.
+    pub(super) fn with_preferred(
+        &mut self,
+        joint: &JointSpace,
+        state: StateId,
+        goal: usize,
+        actions: &mut Vec<Action>,
+    ) -> u32 {
+        let value = self.work_out(joint, state, goal);
+        let problem = joint.problem();
+        self.heuristic.preferred(problem.task(), &problem.goals()[goal].condition, actions);
+        value
+    }
+
+    fn work_out(&mut self, joint: &JointSpace, state: StateId, goal: usize) -> u32 {
+        self.worked_out += 1;
+        let problem = joint.problem();
+        let condition = problem.goals()[goal].condition.as_slice();
+        let mut value = [0];
+        let words = joint.states().words(state);
+        self.heuristic.evaluate(problem.task(), words, &[condition], &mut value);
+        let row = &mut self.values[goal];
+        if row.len() <= state.index() {
+            row.resize(state.index() + 1, UNKNOWN);
+        }
+        row[state.index()] = value[0];
+        value[0]
     }
 }

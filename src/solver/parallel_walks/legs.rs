@@ -1,4 +1,11 @@
 //! Legs: walks of the actor from a state to a goal, by greedy best-first search.
+//!
+//! A state is evaluated when it is taken from the open list, where it waits with the value of the one before it
+//! (deferred evaluation), and those that preferred actions lead to wait in a list of their own as well, which is taken from
+//! more often after each step forward.
+//!
+//! Source: Richter and Helmert 2009, "Preferred operators and deferred evaluation in satisficing planning"
+//! (doi:10.1609/icaps.v19i1.13345).
 
 use std::collections::{BTreeMap, VecDeque};
 
@@ -7,69 +14,164 @@ use rustc_hash::FxHashMap;
 use super::estimates::GoalEstimates;
 use crate::heuristic::UNREACHABLE;
 use crate::problem::JointSpace;
-use crate::task::StateId;
+use crate::task::{Action, StateId};
 
 /// States expanded for a leg, at most: some seconds. A task that takes more is one for the classical planners.
 const MOST_EXPANSIONS: usize = 150_000;
 
-/// Expansions without a smaller value after which the newest of equal states takes every second turn.
-const PATIENCE: usize = 1_000;
+/// Turns that the list of preferred states gains with each smaller value.
+const BOOST: i64 = 1_000;
 
-/// The transitions of a walk from a state to one in which a goal holds; none where none was found.
-pub(super) fn leg(
-    joint: &mut JointSpace,
-    estimates: &mut GoalEstimates,
-    from: StateId,
-    goal: usize,
-) -> Option<Vec<usize>> {
-    let mut open: BTreeMap<u32, VecDeque<StateId>> = BTreeMap::new();
-    // The transition that led to a state, and the state before.
-    let mut met: FxHashMap<StateId, Option<(usize, StateId)>> = FxHashMap::default();
-    let value = estimates.of_state(joint, from, goal);
-    met.insert(from, None);
-    open.entry(value).or_default().push_back(from);
-    let mut least = (value, 0);
-    let mut end = (value == 0).then_some(from);
-    for expansions in 0..MOST_EXPANSIONS {
-        if end.is_some() {
-            break;
-        }
-        let mut first = open.first_entry()?;
-        let value = *first.key();
-        if value == UNREACHABLE {
-            return None;
-        }
-        if value < least.0 {
-            least = (value, expansions);
-        }
-        let newest = expansions - least.1 >= PATIENCE && expansions % 2 == 1;
-        let states = first.get_mut();
-        let state = if newest { states.pop_back() } else { states.pop_front() };
-        if states.is_empty() {
+/// A state that waits: the transition that leads to it, and the state before.
+type Waiting = (usize, StateId);
+
+/// States that wait, by the value of the one before; equal ones in the order in which they came.
+#[derive(Debug, Default)]
+struct OpenList {
+    waiting: BTreeMap<u32, VecDeque<Waiting>>,
+    /// How many they are.
+    count: usize,
+    /// How often it was taken from, less what it gained.
+    turns: i64,
+}
+
+impl OpenList {
+    fn push(&mut self, value: u32, waiting: Waiting) {
+        self.count += 1;
+        self.waiting.entry(value).or_default().push_back(waiting);
+    }
+
+    fn pop(&mut self) -> Option<Waiting> {
+        let mut first = self.waiting.first_entry()?;
+        let waiting = first.get_mut().pop_front();
+        if first.get().is_empty() {
             first.remove();
         }
-        let state = state?;
-        joint.states_mut().expand(state);
-        for edge in joint.states().edge_range(state) {
-            let target = joint.states().all_edges()[edge].target;
-            if met.contains_key(&target) {
-                continue;
-            }
-            met.insert(target, Some((edge, state)));
-            let value = estimates.of_state(joint, target, goal);
-            if value == 0 {
-                end = Some(target);
-                break;
-            }
-            open.entry(value).or_default().push_back(target);
+        self.count -= 1;
+        self.turns += 1;
+        waiting
+    }
+}
+
+/// The search for a leg.
+#[derive(Debug)]
+pub(super) struct LegSearch {
+    goal: usize,
+    all: OpenList,
+    preferred: OpenList,
+    /// What led to each state that was evaluated; nothing to the first.
+    met: FxHashMap<StateId, Option<Waiting>>,
+    least: u32,
+    expansions: usize,
+    /// The preferred actions of the state at hand.
+    actions: Vec<Action>,
+}
+
+/// How far the search is.
+pub(super) enum LegStep {
+    /// There is more to expand.
+    Working,
+    /// The transitions of a walk from the state to one in which the goal holds; none where none was found.
+    Over(Option<Vec<usize>>),
+}
+
+impl LegSearch {
+    /// To a goal.
+    pub(super) fn new(goal: usize) -> Self {
+        Self {
+            goal,
+            all: OpenList::default(),
+            preferred: OpenList::default(),
+            met: FxHashMap::default(),
+            least: UNREACHABLE,
+            expansions: 0,
+            actions: Vec::new(),
         }
     }
-    let mut edges = Vec::new();
-    let mut at = end?;
-    while let Some((edge, before)) = met[&at] {
-        edges.push(edge);
-        at = before;
+
+    /// The goal.
+    pub(super) fn goal(&self) -> usize {
+        self.goal
     }
-    edges.reverse();
-    Some(edges)
+
+    /// Bytes in use, counted by contents.
+    pub(super) fn bytes(&self) -> u64 {
+        let waiting = self.all.count + self.preferred.count;
+        (size_of::<Waiting>() * (waiting + 2 * self.met.len())) as u64
+    }
+
+    /// Evaluates and expands a state.
+    fn expand(
+        &mut self,
+        joint: &mut JointSpace,
+        estimates: &mut GoalEstimates,
+        state: StateId,
+    ) -> LegStep {
+        let value = estimates.with_preferred(joint, state, self.goal, &mut self.actions);
+        if value == 0 {
+            return LegStep::Over(Some(self.edges(state)));
+        }
+        if value == UNREACHABLE {
+            return LegStep::Working;
+        }
+        if value < self.least {
+            self.least = value;
+            self.preferred.turns -= BOOST;
+        }
+        self.expansions += 1;
+        joint.states_mut().expand(state);
+        for edge in joint.states().edge_range(state) {
+            let taken = joint.states().all_edges()[edge];
+            if self.met.contains_key(&taken.target) {
+                continue;
+            }
+            self.all.push(value, (edge, state));
+            if self.actions.binary_search(&taken.action).is_ok() {
+                self.preferred.push(value, (edge, state));
+            }
+        }
+        LegStep::Working
+    }
+
+    /// The transitions that led to a state.
+    fn edges(&self, state: StateId) -> Vec<usize> {
+        let mut edges = Vec::new();
+        let mut at = state;
+        while let Some((edge, before)) = self.met[&at] {
+            edges.push(edge);
+            at = before;
+        }
+        edges.reverse();
+        edges
+    }
+
+    /// Takes the next state, the first one at first.
+    pub(super) fn step(
+        &mut self,
+        joint: &mut JointSpace,
+        estimates: &mut GoalEstimates,
+        from: StateId,
+    ) -> LegStep {
+        if self.met.is_empty() {
+            self.met.insert(from, None);
+            return self.expand(joint, estimates, from);
+        }
+        if self.expansions == MOST_EXPANSIONS {
+            return LegStep::Over(None);
+        }
+        let lists = if self.preferred.turns <= self.all.turns {
+            [&mut self.preferred, &mut self.all]
+        } else {
+            [&mut self.all, &mut self.preferred]
+        };
+        let Some((edge, before)) = lists.into_iter().find_map(OpenList::pop) else {
+            return LegStep::Over(None);
+        };
+        let state = joint.states().all_edges()[edge].target;
+        if self.met.contains_key(&state) {
+            return LegStep::Working;
+        }
+        self.met.insert(state, Some((edge, before)));
+        self.expand(joint, estimates, state)
+    }
 }

@@ -23,6 +23,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use self::estimates::GoalEstimates;
+use self::legs::{LegSearch, LegStep};
 use self::walkers::Walkers;
 use super::engine::{Advance, Engine, Finding};
 use super::outcome::{Progress, Stats, Status};
@@ -73,6 +74,8 @@ type Leg = Option<(Vec<usize>, StateId)>;
 enum Stage {
     /// The next leg of a route from the end of those before it: the transitions so far, their end and the goals ahead.
     Leg(Vec<usize>, StateId, Vec<usize>),
+    /// The search for that leg, which is not known yet.
+    Search(Box<LegSearch>, Vec<usize>, StateId, Vec<usize>),
     /// What friends hold possible at the end of a plan.
     Friends(Vec<usize>),
     /// The walks beside a plan: of one enemy and goal.
@@ -204,26 +207,36 @@ impl ParallelWalks {
     }
 
     fn leg(&mut self, mut edges: Vec<usize>, from: StateId, mut ahead: Vec<usize>) -> Stage {
-        if ahead.is_empty() {
-            return Stage::Friends(edges);
-        }
-        let goal = ahead.remove(0);
-        if !self.legs.contains_key(&(from, goal)) {
-            let leg = legs::leg(&mut self.joint, &mut self.estimates, from, goal).map(|edges| {
-                let end = edges.last().map(|edge| self.joint.states().all_edges()[*edge].target);
-                (edges, end.unwrap_or(from))
-            });
-            self.legs.insert((from, goal), leg);
-        }
-        match &self.legs[&(from, goal)] {
-            Some((leg, end)) => {
+        let Some(&goal) = ahead.first() else { return Stage::Friends(edges) };
+        match self.legs.get(&(from, goal)) {
+            None => Stage::Search(Box::new(LegSearch::new(goal)), edges, from, ahead),
+            Some(Some((leg, end))) => {
                 edges.extend_from_slice(leg);
+                ahead.remove(0);
                 Stage::Leg(edges, *end, ahead)
             }
             // Without a direct way no route ends well.
-            None if self.tried == 0 => Stage::Exhausted,
-            None => self.next_route(),
+            Some(None) if self.tried == 0 => Stage::Exhausted,
+            Some(None) => self.next_route(),
         }
+    }
+
+    fn search(
+        &mut self,
+        mut search: Box<LegSearch>,
+        edges: Vec<usize>,
+        from: StateId,
+        ahead: Vec<usize>,
+    ) -> Stage {
+        let LegStep::Over(found) = search.step(&mut self.joint, &mut self.estimates, from) else {
+            return Stage::Search(search, edges, from, ahead);
+        };
+        let leg = found.map(|leg| {
+            let end = leg.last().map(|edge| self.joint.states().all_edges()[*edge].target);
+            (leg, end.unwrap_or(from))
+        });
+        self.legs.insert((from, search.goal()), leg);
+        Stage::Leg(edges, from, ahead)
     }
 
     fn seen(&mut self, observer: usize, edges: &[usize]) -> Vec<Symbol> {
@@ -325,10 +338,11 @@ impl ParallelWalks {
 
     fn bytes(&self) -> u64 {
         let walkers = self.walkers.iter().flatten().flatten().map(Walkers::bytes).sum::<u64>();
-        self.joint.bytes() + self.estimates.bytes() + walkers
+        let search = if let Stage::Search(search, ..) = &self.stage { search.bytes() } else { 0 };
+        self.joint.bytes() + self.estimates.bytes() + walkers + search
     }
 
-    /// One leg, one look at the friends or one walk. An error where the search has come to its end.
+    /// One state of a leg, one look at the friends or one walk. An error where the search has come to its end.
     fn step(&mut self) -> Result<Option<Advance>, LimitReached> {
         self.limits.check_bytes(self.bytes())?;
         self.stage = match std::mem::replace(&mut self.stage, Stage::Exhausted) {
@@ -338,6 +352,7 @@ impl ParallelWalks {
                 return Ok(Some(Advance::Finished(Finding { witnesses, ..finding })));
             }
             Stage::Leg(edges, from, ahead) => self.leg(edges, from, ahead),
+            Stage::Search(search, edges, from, ahead) => self.search(search, edges, from, ahead),
             Stage::Friends(edges) if self.friends_keep_bounds(&edges) => {
                 Stage::Walk(edges, Vec::new(), 0, 0)
             }

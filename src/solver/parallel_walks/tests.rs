@@ -1,5 +1,7 @@
 //! What the walks find is held against the definitions by enumeration: plans and witnesses alike.
 
+use std::collections::BTreeSet;
+
 use super::*;
 use crate::domain::generate::Domain;
 use crate::solver::Solver;
@@ -103,4 +105,61 @@ fn drawn_logistics_and_driverlog_mostly_have_walks() {
         }
         assert!(found >= 5, "{} {found}", domain.name());
     }
+}
+
+/// The goals that can be reached from the initial state, by exhaustion.
+fn reachable_goals(joint: &mut JointSpace) -> Vec<bool> {
+    let problem = Arc::clone(joint.problem());
+    let mut reached = vec![false; problem.goals().len()];
+    let mut met = BTreeSet::new();
+    let mut open = vec![joint.initial().state];
+    while let Some(state) = open.pop() {
+        if !met.insert(state) {
+            continue;
+        }
+        for (goal, reached) in problem.goals().iter().zip(&mut reached) {
+            *reached |= problem.task().satisfies(joint.states().words(state), &goal.condition);
+        }
+        joint.states_mut().expand(state);
+        open.extend(joint.states().edges(state).iter().map(|edge| edge.target));
+    }
+    reached
+}
+
+#[test]
+fn a_leg_is_found_exactly_where_there_is_one_a_state_at_a_time() {
+    let mut dice = Dice::new(92);
+    let (mut found, mut missing) = (0, 0);
+    for _ in 0..1_000 {
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, &PAIR), 0);
+        let mut joint = JointSpace::new(Arc::clone(&judge.problem), Limits::default());
+        let reached = reachable_goals(&mut joint);
+        let mut estimates = GoalEstimates::new(&joint);
+        let from = joint.initial().state;
+        for (goal, reached) in reached.into_iter().enumerate() {
+            let mut search = LegSearch::new(goal);
+            let edges = loop {
+                let before = estimates.worked_out;
+                let step = search.step(&mut joint, &mut estimates, from);
+                assert!(estimates.worked_out <= before + 1, "a step is one state");
+                if let LegStep::Over(edges) = step {
+                    break edges;
+                }
+            };
+            assert_eq!(edges.is_some(), reached);
+            let Some(edges) = edges else {
+                missing += 1;
+                continue;
+            };
+            found += 1;
+            let mut at = from;
+            for edge in edges {
+                assert!(joint.states().edge_range(at).contains(&edge));
+                at = joint.states().all_edges()[edge].target;
+            }
+            let condition = &judge.problem.goals()[goal].condition;
+            assert!(judge.problem.task().satisfies(joint.states().words(at), condition));
+        }
+    }
+    assert!(found > 1_000 && missing > 50, "{found} {missing}");
 }

@@ -14,6 +14,11 @@ use crate::solver::{Options, algorithm1};
 /// as many nodes.
 pub(super) const GREEDY_NODES: u64 = 2_000;
 
+/// The nodes that Algorithm 1 may generate in the same turn where there are walks: for each it works out the values of all
+/// goals, so that with five of them this is as much work as the walks have. In a task with many operators it would spend
+/// all of the time before the walks begin.
+const GREEDY_GENERATED: u64 = 10_000;
+
 /// The values of states that the parallel walks may work out in their first turn: some tenths of a second.
 const WALK_EVALUATIONS: u64 = 50_000;
 
@@ -78,7 +83,10 @@ impl FirstPlan {
         if suits_walks {
             // Algorithm 1 and the walks are there at the same time.
             options.limits.bytes /= 2;
-            turns.insert(0, Turn::Walks(WALK_EVALUATIONS));
+            turns = vec![
+                Turn::Walks(WALK_EVALUATIONS),
+                Turn::Greedy { nodes, generated: GREEDY_GENERATED },
+            ];
             let round = |&(generated, walks): &(u64, u64)| {
                 let greedy = Turn::Greedy { nodes: u64::MAX, generated };
                 [Turn::Walks(walks * WALK_EVALUATIONS), greedy]
@@ -216,5 +224,30 @@ impl Engine for FirstPlan {
             stats.add_engine(&walks.stats());
         }
         stats
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used)]
+
+    use super::*;
+    use crate::domain::generate::Domain;
+    use crate::solver::Solver;
+
+    #[test]
+    fn the_first_turn_of_algorithm_1_ends_with_what_it_has_generated() {
+        let problem = Arc::new(Domain::Logistics.draw(1).unwrap().document.problem().unwrap());
+        let mut options = Options::new(Solver::Satisficing);
+        // Hardly any plan keeps these bounds, and none is found in this turn.
+        options.bounds.at_least = Some(5);
+        options.bounds.at_most = Some(1);
+        let mut first = FirstPlan::new(u64::MAX, problem, &options, None);
+        while matches!(first.turns.last(), Some(Turn::Greedy { .. })) {
+            assert!(matches!(first.advance(1), Ok(Advance::Working)));
+        }
+        assert!(matches!(first.turns.as_slice(), [Turn::Walks(WALK_EVALUATIONS)]));
+        let generated = first.stats().generated;
+        assert!((GREEDY_GENERATED..GREEDY_GENERATED + 1_000).contains(&generated), "{generated}");
     }
 }
