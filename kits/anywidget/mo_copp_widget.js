@@ -4,7 +4,7 @@
 /** Attributes of the element that a model may hold; `plan`, `step` and `document` go both ways. */
 const attributes = [
   ...["src", "problem", "watch", "solver", "k", "j", "horizon", "hide", "theme", "keys"],
-  ...["loading", "worker-url", "wasm-url", "seed", "student", "exercise", "name"],
+  ...["loading", "worker-url", "wasm-url", "seed", "student", "exercise", "name", "required", "disabled"],
 ];
 
 /** The script defines the element once a page. */

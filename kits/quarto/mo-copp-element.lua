@@ -6,7 +6,7 @@ local written = false
 -- What the element's attributes may be; everything else stays out of the page.
 local known = {
   "src", "problem", "plan", "step", "watch", "solver", "k", "j", "horizon", "hide", "link", "theme", "keys", "loading",
-  "worker-url", "wasm-url", "seed", "student", "exercise", "name",
+  "worker-url", "wasm-url", "seed", "student", "exercise", "name", "required", "disabled",
 }
 
 local escapes = { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" }

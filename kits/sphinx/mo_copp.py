@@ -9,7 +9,7 @@ from sphinx.util.docutils import SphinxDirective
 #: All but ``name``, which docutils has for itself.
 ATTRIBUTES = (
     "src problem plan step watch solver k j horizon hide link theme keys loading worker-url wasm-url "
-    "seed student exercise"
+    "seed student exercise required disabled"
 ).split()
 SCRIPT = "mo-copp/mo-copp-playground.js"
 

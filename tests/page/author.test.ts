@@ -146,7 +146,7 @@ test("where a student would choose among many states, it is said once, with what
     await openTab(page, "Exercise");
     await page.getByLabel("Kind of question").selectOption({ label: "Which states are possible" });
     await press(page, "Try it as a student");
-    await page.getByText(/^A student chooses among [\d,]+ states: a smaller floor, more walls/).waitFor();
+    await page.getByText(/^A student chooses among [\d,]+ states: a smaller problem leaves fewer/).waitFor();
     assert.equal(await page.locator(".exercise").count(), 0);
     await press(page, "Try it as a student");
     await page.locator('.exercise[data-kind="belief"]').waitFor();

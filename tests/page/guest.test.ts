@@ -524,34 +524,38 @@ test("each attribute is a property that reflects it, and no other name of the el
     assert.deepEqual(names.sort(), [...attributes].sort());
     await lesson(page, "");
     await page.waitForFunction(() => customElements.get("mo-copp-playground") !== undefined);
-    const wrong = await page.evaluate(([names, flags]) => {
-      const element = document.createElement("mo-copp-playground");
-      const wrong: string[] = [];
-      for (const name of names) {
-        const property = name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
-        const holders: object[] = [];
-        for (let at: object = element; at !== HTMLElement.prototype; at = Object.getPrototypeOf(at))
-          if (Object.hasOwn(at, property)) holders.push(at);
-        const { get, set } = Object.getOwnPropertyDescriptor(holders[0] ?? {}, property) ?? {};
-        if (holders.length !== 1 || !get || !set) wrong.push(`${name}: ${holders.length}`);
-        const flag = flags.includes(name);
-        const nothing = flag ? false : null;
-        if (Reflect.get(element, property) !== nothing) wrong.push(`${name} at first`);
-        element.setAttribute(name, "2");
-        if (Reflect.get(element, property) !== (flag ? true : "2")) wrong.push(`${name} does not follow its attribute`);
-        Reflect.set(element, property, flag ? false : 3);
-        if (element.getAttribute(name) !== (flag ? null : "3")) wrong.push(`${name} does not set its attribute`);
-        Reflect.set(element, property, undefined);
-        if (element.hasAttribute(name) || Reflect.get(element, property) !== nothing)
-          wrong.push(`${name} is not taken away`);
-      }
-      // What is the element's own business has private names.
-      const own = Object.getOwnPropertyNames(element);
-      if (own.join() !== "ready") wrong.push(`its own: ${own}`);
-      Reflect.set(element, "exercise", { kind: "best" });
-      Reflect.set(element, "plan", ["north", "east"]);
-      return [...wrong, element.getAttribute("exercise"), element.getAttribute("plan")];
-    }, [names, flags] as const);
+    const wrong = await page.evaluate(
+      ([names, flags]) => {
+        const element = document.createElement("mo-copp-playground");
+        const wrong: string[] = [];
+        for (const name of names) {
+          const property = name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
+          const holders: object[] = [];
+          for (let at: object = element; at !== HTMLElement.prototype; at = Object.getPrototypeOf(at))
+            if (Object.hasOwn(at, property)) holders.push(at);
+          const { get, set } = Object.getOwnPropertyDescriptor(holders[0] ?? {}, property) ?? {};
+          if (holders.length !== 1 || !get || !set) wrong.push(`${name}: ${holders.length}`);
+          const flag = flags.includes(name);
+          const nothing = flag ? false : null;
+          if (Reflect.get(element, property) !== nothing) wrong.push(`${name} at first`);
+          element.setAttribute(name, "2");
+          if (Reflect.get(element, property) !== (flag ? true : "2"))
+            wrong.push(`${name} does not follow its attribute`);
+          Reflect.set(element, property, flag ? false : 3);
+          if (element.getAttribute(name) !== (flag ? null : "3")) wrong.push(`${name} does not set its attribute`);
+          Reflect.set(element, property, undefined);
+          if (element.hasAttribute(name) || Reflect.get(element, property) !== nothing)
+            wrong.push(`${name} is not taken away`);
+        }
+        // What is the element's own business has private names.
+        const own = Object.getOwnPropertyNames(element);
+        if (own.join() !== "ready") wrong.push(`its own: ${own}`);
+        Reflect.set(element, "exercise", { kind: "best" });
+        Reflect.set(element, "plan", ["north", "east"]);
+        return [...wrong, element.getAttribute("exercise"), element.getAttribute("plan")];
+      },
+      [names, flags] as const,
+    );
     assert.deepEqual(wrong, ['{"kind":"best"}', "north,east"]);
   }));
 

@@ -50,6 +50,24 @@ test("what is closed or has no size is loaded once it can be seen", () =>
     }
   }));
 
+test("what a transform lets grow from nothing is loaded once it can be seen", () =>
+  visit(async ({ page, requests }) => {
+    for (const [small, large] of [
+      ["scale(0)", "scale(1)"],
+      ["scaleX(0)", "none"],
+      ["rotateY(90deg)", "none"],
+    ]) {
+      await lesson(page, `<div id="box" style="transform: ${small}">${one}</div>`);
+      requests.length = 0;
+      await page.waitForTimeout(SOON_MS);
+      assert.deepEqual(requests, [], small);
+      await page.locator("#box").evaluate((element, large) => {
+        (element as HTMLElement).style.transform = large ?? "";
+      }, large);
+      await drawn(page);
+    }
+  }));
+
 test("a poster that has no size keeps nothing back", () =>
   visit(async ({ page }) => {
     await lesson(page, one.replace("></", "><span></span></"));

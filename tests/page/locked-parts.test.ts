@@ -52,6 +52,15 @@ test("what the question hides of beliefs stays hidden in its problem until it is
     const seen = () =>
       page.evaluate(() => document.querySelectorAll("[data-board=adversarial], [data-board=cooperative]").length);
     assert.equal(await seen(), 0);
+    // Nor does the agent's board say what is possible for them: no mark, no word, no attribute, and none explained.
+    const told = "[data-adversarial], [data-cooperative], .board .mark, .legend";
+    assert.equal(await page.locator(told).count(), 0);
+    const titles = await page.locator("[data-board=actor] .goal title").allTextContents();
+    assert.deepEqual(
+      titles.filter((title) => title.includes(":")),
+      [],
+    );
+    assert(titles.length > 1, titles.join());
     const tabs = await page.getByRole("tablist", { name: "Workbench" }).getByRole("tab").allTextContents();
     assert.deepEqual(tabs, ["Edit", "Play", "Document"]);
     const drawn = (board: "actor" | "adversarial") =>
@@ -71,5 +80,6 @@ test("what the question hides of beliefs stays hidden in its problem until it is
     await page.getByText("Right.", { exact: true }).waitFor();
     await press(page, "Open the problem in the playground");
     await page.locator("[data-board=adversarial]").waitFor();
+    await page.locator("[data-board=actor] .goal[data-adversarial]").first().waitFor();
     assert.equal(await page.getByText("So is what the enemy and the friend believe.").count(), 0);
   }));

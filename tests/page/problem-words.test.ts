@@ -88,10 +88,17 @@ test("a question of box pushing shows its words, where the box begins, and state
     assert(all > 100, String(all));
     assert((await list.boundingBox())?.height ?? 10_000 < 500);
     const search = page.getByRole("searchbox", { name: "Search" });
-    await search.fill("column 2, row 3 north");
+    await search.fill("column 2, row 3, facing north");
     await page.getByText(/^[\d,]+ of [\d,]+ states/).waitFor();
     const found = await list.getByRole("checkbox").count();
     assert(found > 0 && found < all / 4, String(found));
+    // What is typed as it stands in the list is of one thing: not of a robot here and a box there.
+    await search.fill("facing north, box [3, 2]");
+    await list.getByText("facing north, box column 3, row 2").first().waitFor();
+    assert.equal(await list.getByText("box column 0, row 0").count(), 0);
+    const names = await list.getByRole("checkbox").evaluateAll((boxes) => boxes.map((box) => box.ariaLabel ?? ""));
+    assert(names.length > 0 && names.length < all / 4, String(names.length));
+    for (const name of names) assert.match(name, /facing north, box column 3, row 2/);
     await search.fill("nothing like this");
     await page.getByText("No state has these words.").waitFor();
     await search.fill("");

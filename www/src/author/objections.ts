@@ -42,7 +42,7 @@ const again = "Press the button again to hand it out all the same.";
 const MOST_STATES = 100;
 
 const crowded = (states: number): string =>
-  `A student chooses among ${wholeNumber(states)} states: a smaller floor, more walls or fewer battery levels leave fewer, and the question which goals are possible takes none.`;
+  `A student chooses among ${wholeNumber(states)} states: a smaller problem leaves fewer (a smaller floor, more walls, fewer objects), and the question which goals are possible takes none.`;
 
 /** Whether there is nothing to say of an exercise before it is handed out. */
 export const isSound = ({ fault, remarks, variants, states }: Proof): boolean =>

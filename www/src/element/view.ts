@@ -69,7 +69,7 @@ const exercise = new LazyPanel<ExerciseViewStores>(
 );
 
 /** The parts that show what observers believe. */
-const beliefs: readonly Part[] = ["enemy", "friend", "counts", "goals"];
+const beliefs: readonly Part[] = ["enemy", "friend", "counts", "goals", "legend"];
 
 /** What the element is told. */
 interface Told {

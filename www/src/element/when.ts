@@ -6,6 +6,9 @@ const NEAR = "50%";
 /** The least part of an element that is seen; the browser tells also of those that merely touch what is seen. */
 const SOME = 1e-4;
 
+/** What is in sight and has no area is looked at again after so long: nothing tells that a transform lets it grow. */
+const AGAIN_MS = 250;
+
 /** Until then an element may lack its children. */
 export function whenParsed(): Promise<void> {
   if (document.readyState !== "loading") return Promise.resolve();
@@ -44,10 +47,20 @@ export function whenNear(element: Element, near: () => void): () => void {
     stop();
     near();
   };
+  let later: ReturnType<typeof setTimeout> | undefined;
+  const again = () => {
+    for (const observer of observers) {
+      observer.unobserve(element);
+      observer.observe(element);
+    }
+  };
   const observe = (margin: string) => {
     const observer = new IntersectionObserver(
       (entries) => {
-        if (entries.some(isToBeSeen)) come();
+        if (entries.some(isToBeSeen)) return come();
+        if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+        clearTimeout(later);
+        later = setTimeout(again, AGAIN_MS);
       },
       { rootMargin: `${margin} 0px`, threshold: [0, SOME] },
     );
@@ -56,16 +69,12 @@ export function whenNear(element: Element, near: () => void): () => void {
   };
   observe("0px");
   // What grows from nothing is no news to them.
-  const sizes = new ResizeObserver(() => {
-    for (const observer of observers) {
-      observer.unobserve(element);
-      observer.observe(element);
-    }
-  });
+  const sizes = new ResizeObserver(again);
   sizes.observe(element);
   const stopReading = whenReading(() => observe(NEAR));
   const stop = () => {
     stopReading();
+    clearTimeout(later);
     sizes.disconnect();
     for (const observer of observers) observer.disconnect();
     window.removeEventListener("beforeprint", come);

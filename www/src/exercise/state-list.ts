@@ -66,29 +66,29 @@ function itemOf(state: State, index: number): Item {
   return { index, text, group: first ?? "", rest: others.join(", ") };
 }
 
-/** Those that have all words that are typed. */
-function found(items: readonly Item[], typed: string): readonly Item[] {
-  const words = typed
+/** A cell as documents write it, and all that parts words. */
+const plain = (text: string): string =>
+  text
     .toLowerCase()
-    .split(/[\s,]+/)
-    .filter((word) => word !== "");
-  if (words.length === 0) return items;
-  // Numbers are whole: 1 is no part of 12.
-  const has = (parts: ReadonlySet<string>, text: string, word: string) =>
-    /^\d+$/.test(word) ? parts.has(word) : text.includes(word);
-  return items.filter((item) => {
-    const text = item.text.toLowerCase();
-    const parts = new Set(text.split(/[\s,]+/));
-    return words.every((word) => has(parts, text, word)) && inOrder(text, words);
-  });
-}
+    .replace(/\[\s*(\d+)\s*,\s*(\d+)\s*\]/g, "column $1, row $2")
+    .replace(/[\s·]+/g, " ")
+    .replace(/ ?, ?/g, ", ")
+    .trim();
 
-/** "column 1, row 2" means the cell, and not row 1 of column 2. */
-function inOrder(text: string, words: readonly string[]): boolean {
-  const pairs = words.flatMap((word, at) =>
-    /^(column|row|battery)$/.test(word) && words[at + 1] ? [`${word} ${words[at + 1]}`] : [],
-  );
-  return pairs.every((pair) => new RegExp(`\\b${pair}\\b`).test(text));
+/** Text that begins a word and ends at will, but for numbers: 1 is no part of 12. */
+const begins = (text: string): RegExp =>
+  new RegExp(`(?<![\\p{L}\\d])${text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}${/\d$/.test(text) ? "(?!\\d)" : ""}`, "u");
+
+/** Those with what is typed as it stands; where there is none, those with all parts of it between commas. */
+function found(items: readonly Item[], typed: string): readonly Item[] {
+  const wanted = plain(typed).replace(/^, |,$/g, "");
+  if (wanted === "") return items;
+  const having = (parts: readonly string[]) => {
+    const patterns = parts.map(begins);
+    return items.filter(({ text }) => patterns.every((pattern) => pattern.test(plain(text))));
+  };
+  const whole = having([wanted]);
+  return whole.length > 0 ? whole : having(wanted.split(", ").filter((part) => part !== ""));
 }
 
 function grouped(items: readonly Item[]): [string, Item[]][] {

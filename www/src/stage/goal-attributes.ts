@@ -2,6 +2,7 @@
 // attributes that course styles and checks rely on.
 import { nothing } from "lit";
 import type { Scene, TraceStep } from "../core.js";
+import { isVeiled } from "../problem/veil.js";
 import { type Role, roles } from "../view/observers.js";
 
 /** `not now`: no state that is believed reaches the goal, and one may still lead to it. */
@@ -11,7 +12,7 @@ export interface GoalView {
   name: string;
   isTrue: boolean;
   standing: Record<Role, Standing>;
-  /** `nothing` where it is not known: the friend's while the enemy's player must not know it. */
+  /** `nothing` where it is not told: the friend's to the enemy's player, both while a question hides them. */
   attributes: Record<Role, "alive" | "dead" | typeof nothing>;
 }
 
@@ -34,7 +35,8 @@ export function goalViews(scene: Scene, step: TraceStep): readonly GoalView[] {
 }
 
 function viewed(scene: Scene, step: TraceStep): GoalView[] {
-  const secret = isGuessedAt(scene);
+  const veiled = isVeiled(scene);
+  const secret = veiled || isGuessedAt(scene);
   const [enemys, friends] = roles.map((role) => standings(step, role));
   return scene.goals.map(({ name }) => {
     const standing = {
@@ -46,7 +48,7 @@ function viewed(scene: Scene, step: TraceStep): GoalView[] {
       isTrue: name === scene.true_goal,
       standing,
       attributes: {
-        adversarial: word(standing.adversarial),
+        adversarial: veiled ? nothing : word(standing.adversarial),
         cooperative: secret ? nothing : word(standing.cooperative),
       },
     };

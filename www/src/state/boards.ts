@@ -1,6 +1,7 @@
 // What the boards show: whose steps they are, and of which scene.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
 import type { Scene, Trace } from "../core.js";
+import { veil } from "../problem/veil.js";
 import { GoalStory } from "./goal-story.js";
 import type { OpenProblem } from "./open-problem.js";
 import type { At, Timeline } from "./timeline.js";
@@ -27,10 +28,16 @@ export class Boards {
   private left: number | null = null;
   private readonly timeline: Timeline;
 
-  constructor({ problem, timeline }: { problem: Pick<OpenProblem, "document" | "scene">; timeline: Timeline }) {
+  constructor({
+    problem,
+    timeline,
+  }: { problem: Pick<OpenProblem, "document" | "scene" | "veiled">; timeline: Timeline }) {
     this.timeline = timeline;
     this.story = new GoalStory(timeline);
-    this.scene = computed(() => this.disguise.value?.scene ?? problem.scene.value);
+    this.scene = computed(() => {
+      const scene = this.disguise.value?.scene ?? problem.scene.value;
+      return scene !== null && problem.veiled.value ? veil(scene) : scene;
+    });
     this.document = computed(() => {
       const disguise = this.disguise.value;
       return disguise === null ? (problem.document.value?.text ?? null) : disguise.document;

@@ -3,7 +3,7 @@ import { nothing, svg } from "lit";
 import { starPath } from "../../view/icons.js";
 import type { BoardName } from "../board-input.js";
 import { type GoalView, goalViews } from "../goal-attributes.js";
-import { goalInWords, looks, marks } from "../goal-marks.js";
+import { goalTold, looks, marks } from "../goal-marks.js";
 import type { DeliveryInput } from "./facts.js";
 import { WIDTH } from "./layout.js";
 import { smallPackage } from "./package.js";
@@ -62,7 +62,7 @@ function card(name: BoardName, goal: GoalView, { width, size }: Cards, x: number
   return svg`<g class="goal set ${look}" transform="translate(${x} ${y})" data-goal=${goal.name}
       data-adversarial=${goal.attributes.adversarial} data-cooperative=${goal.attributes.cooperative}
       ?data-true-goal=${goal.isTrue}>
-    <title>${goal.name}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
+    <title>${goalTold(goal)}</title>
     <rect class="badge" width=${width} height=${height} rx="0.2"></rect>
     ${goal.name.split("+").map((pack, index) => smallPackage(pack, pack, { x: 0.18 + index * size, y: 0.16 }, size - 0.08, "solid"))}
     ${look === "dead" ? svg`<line class="strike" x1="0.06" y1=${height - 0.06} x2=${width - 0.06} y2="0.06"></line>` : nothing}

@@ -5,10 +5,9 @@ import { AsyncDirective } from "lit/async-directive.js";
 import { directive, type ElementPart } from "lit/directive.js";
 import type { Place } from "../../view/goal-place.js";
 import { starPath } from "../../view/icons.js";
-import { named } from "../../view/names.js";
 import type { BoardName } from "../board-input.js";
 import { type GoalView, isKnown } from "../goal-attributes.js";
-import { goalInWords, looks } from "../goal-marks.js";
+import { goalTold, looks } from "../goal-marks.js";
 
 /** From so many on, names and marks could not be read. */
 export const MANY_GOALS = 150;
@@ -102,7 +101,7 @@ function show(badge: Badge, { board, goals, places }: GoalsDrawn, index: number)
   const [goal, place] = [goals[index], places[index]];
   if (goal === undefined || place === undefined) return;
   const { x, y, scale } = place;
-  const words = `${named(goal.name)}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}`;
+  const words = goalTold(goal);
   const look = `${words} ${x} ${y} ${scale}`;
   if (look === badge.look) return;
   badge.look = look;

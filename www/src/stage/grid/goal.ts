@@ -6,10 +6,9 @@ import { nothing, svg } from "lit";
 import { visible } from "../../problem/unseen.js";
 import { type Place, placesOf } from "../../view/goal-place.js";
 import { starPath } from "../../view/icons.js";
-import { named } from "../../view/names.js";
 import type { BoardName } from "../board-input.js";
 import type { GoalView } from "../goal-attributes.js";
-import { goalInWords, looks, marks } from "../goal-marks.js";
+import { goalTold, looks, marks } from "../goal-marks.js";
 import type { Cell } from "./cells.js";
 import { goalLayer, MANY_GOALS } from "./goal-layer.js";
 
@@ -33,7 +32,7 @@ function goalMark(board: BoardName, goal: GoalView, { x, y, scale }: Place) {
   return svg`<g class="goal ${look}" transform=${`translate(${x} ${y})${scale === 1 ? "" : ` scale(${scale})`}`}
       data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
       data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}>
-    <title>${named(goal.name)}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}</title>
+    <title>${goalTold(goal)}</title>
     <rect class="badge" x="-0.35" y="-0.27" width="0.7" height="0.54" rx="0.16"></rect>
     ${look === "dead" ? svg`<line class="strike" x1="-0.33" y1="0.27" x2="0.33" y2="-0.27"></line>` : nothing}
     <text class="label ${label.length > 2 ? "long" : ""}" y="0.115">${label}</text>

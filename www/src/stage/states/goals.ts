@@ -3,10 +3,9 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { visible } from "../../problem/unseen.js";
 import { star } from "../../view/icons.js";
-import { named } from "../../view/names.js";
 import type { BoardInput } from "../board-input.js";
 import { goalViews } from "../goal-attributes.js";
-import { goalInWords, marks } from "../goal-marks.js";
+import { goalInWords, goalTold, marks } from "../goal-marks.js";
 import type { StateKind } from "./kind.js";
 
 /** More would be too small to read; the list beside the boards has them all. */
@@ -20,7 +19,7 @@ export function goalCards({ scene, shown }: BoardInput, kind: StateKind): Templa
       (goal, index) =>
         html`<li class="goal-card" data-goal=${goal.name} data-adversarial=${goal.attributes.adversarial}
         data-cooperative=${goal.attributes.cooperative} ?data-true-goal=${goal.isTrue}
-        title="${named(goal.name)}${goal.isTrue ? " (true goal)" : ""}: ${goalInWords(goal)}">
+        title=${goalTold(goal)}>
         ${drawn(index)}
         <span class="name">${visible(goal.name)}</span>
         <svg class="marks" viewBox="-0.45 0.1 0.9 0.38" aria-hidden="true">${marks(goal, 0.22)}</svg>
