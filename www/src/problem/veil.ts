@@ -1,12 +1,11 @@
 // A scene that is shown without what the observers believe, since a question that is still to be answered hides it.
-import type { Scene } from "../core.js";
 
-const veiled = new WeakSet<Scene>();
+const veiled = new WeakSet<object>();
 
-export function veil(scene: Scene): Scene {
+export function veil<Scene extends object>(scene: Scene): Scene {
   const copy = { ...scene };
   veiled.add(copy);
   return copy;
 }
 
-export const isVeiled = (scene: Scene): boolean => veiled.has(scene);
+export const isVeiled = (scene: object): boolean => veiled.has(scene);
