@@ -1,8 +1,9 @@
 //! Legs: walks of the actor from a state to a goal, by greedy best-first search.
 //!
-//! A state is evaluated when it is taken from the open list, where it waits with the value of the one before it
-//! (deferred evaluation), and those that preferred actions lead to wait in a list of their own as well, which is taken from
-//! more often after each step forward.
+//! With deferred evaluation a state is evaluated when it is taken from the open list, where it waits with the value of the
+//! one before it, and those that preferred actions lead to wait in a list of their own as well, which is taken from more often
+//! after each step forward. That finds legs in larger tasks; with eager evaluation, where each state waits with its own
+//! value, they are others and mostly shorter.
 //!
 //! Source: Richter and Helmert 2009, "Preferred operators and deferred evaluation in satisficing planning"
 //! (doi:10.1609/icaps.v19i1.13345).
@@ -25,7 +26,7 @@ const BOOST: i64 = 1_000;
 /// A state that waits: the transition that leads to it, and the state before.
 type Waiting = (usize, StateId);
 
-/// States that wait, by the value of the one before; equal ones in the order in which they came.
+/// States that wait by their value, equal ones in the order in which they came.
 #[derive(Debug, Default)]
 struct OpenList {
     waiting: BTreeMap<u32, VecDeque<Waiting>>,
@@ -53,10 +54,20 @@ impl OpenList {
     }
 }
 
+/// When states are evaluated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Evaluation {
+    /// When they are taken from the open list.
+    Deferred,
+    /// When they come to it.
+    Eager,
+}
+
 /// The search for a leg.
 #[derive(Debug)]
 pub(super) struct LegSearch {
     goal: usize,
+    evaluation: Evaluation,
     all: OpenList,
     preferred: OpenList,
     /// What led to each state that was evaluated; nothing to the first.
@@ -77,9 +88,10 @@ pub(super) enum LegStep {
 
 impl LegSearch {
     /// To a goal.
-    pub(super) fn new(goal: usize) -> Self {
+    pub(super) fn new(goal: usize, evaluation: Evaluation) -> Self {
         Self {
             goal,
+            evaluation,
             all: OpenList::default(),
             preferred: OpenList::default(),
             met: FxHashMap::default(),
@@ -107,7 +119,12 @@ impl LegSearch {
         estimates: &mut GoalEstimates,
         state: StateId,
     ) -> LegStep {
-        let value = estimates.with_preferred(joint, state, self.goal, &mut self.actions);
+        let value = match self.evaluation {
+            Evaluation::Deferred => {
+                estimates.with_preferred(joint, state, self.goal, &mut self.actions)
+            }
+            Evaluation::Eager => estimates.of_state(joint, state, self.goal),
+        };
         if value == 0 {
             return LegStep::Over(Some(self.edges(state)));
         }
@@ -123,6 +140,13 @@ impl LegSearch {
         for edge in joint.states().edge_range(state) {
             let taken = joint.states().all_edges()[edge];
             if self.met.contains_key(&taken.target) {
+                continue;
+            }
+            if self.evaluation == Evaluation::Eager {
+                let value = estimates.of_state(joint, taken.target, self.goal);
+                if value != UNREACHABLE {
+                    self.all.push(value, (edge, state));
+                }
                 continue;
             }
             self.all.push(value, (edge, state));

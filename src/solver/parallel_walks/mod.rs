@@ -23,7 +23,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use self::estimates::GoalEstimates;
-use self::legs::{LegSearch, LegStep};
+use self::legs::{Evaluation, LegSearch, LegStep};
 use self::walkers::Walkers;
 use super::engine::{Advance, Engine, Finding};
 use super::outcome::{Progress, Stats, Status};
@@ -54,8 +54,10 @@ pub(in crate::solver) struct ParallelWalks {
     routes: Box<dyn Iterator<Item = Vec<usize>> + Send>,
     /// States of a beam, at most.
     width: usize,
+    /// How legs are looked for: for each width in one way and then in the other.
+    evaluation: Evaluation,
     /// By state and goal: the transitions of a leg and its end.
-    legs: FxHashMap<(StateId, usize), Leg>,
+    legs: FxHashMap<(StateId, usize, Evaluation), Leg>,
     /// By observer, none for a friend: one for each goal but the true one, the nearest first.
     walkers: Vec<Option<Vec<Walkers>>>,
     /// By observer, none for an enemy and where there are too many pairs.
@@ -151,6 +153,7 @@ impl ParallelWalks {
             joint,
             routes: Box::new(std::iter::empty()),
             width: WIDTH,
+            evaluation: Evaluation::Deferred,
             legs: FxHashMap::default(),
             walkers: Vec::new(),
             pairs: problem.observers().iter().map(pairs).collect(),
@@ -158,18 +161,25 @@ impl ParallelWalks {
             tried: 0,
             counts: Stats::default(),
         };
-        search.begin();
+        search.begin_routes();
+        search.begin_walkers();
         search.stage = search.first_leg();
         search
     }
 
-    /// Begins with all routes, with new walkers.
-    fn begin(&mut self) {
-        let problem = Arc::clone(self.joint.problem());
+    /// Begins with all routes.
+    fn begin_routes(&mut self) {
+        let problem = self.joint.problem();
         let (goals, true_goal) = (problem.goals().len(), problem.true_goal());
         // Routes through two goals are many: they wait for the widest beams.
         let routes = if self.width < MOST_WIDTH { goals } else { usize::MAX };
         self.routes = Box::new(routes::routes(goals, true_goal).take(routes));
+    }
+
+    /// Begins with new walkers.
+    fn begin_walkers(&mut self) {
+        let problem = Arc::clone(self.joint.problem());
+        let (goals, true_goal) = (problem.goals().len(), problem.true_goal());
         self.walkers.clear();
         for (place, observer) in problem.observers().iter().enumerate() {
             let (joint, estimates) = (&mut self.joint, &mut self.estimates);
@@ -194,13 +204,19 @@ impl ParallelWalks {
         self.first_leg()
     }
 
-    /// The first leg of the next route, perhaps with wider beams.
+    /// The first leg of the next route, perhaps with other legs or wider beams.
     fn first_leg(&mut self) -> Stage {
         let root = self.joint.initial();
         let mut route = self.routes.next();
-        if route.is_none() && self.width < MOST_WIDTH {
-            self.width *= WIDER;
-            self.begin();
+        if route.is_none() && (self.evaluation == Evaluation::Deferred || self.width < MOST_WIDTH) {
+            if self.evaluation == Evaluation::Deferred {
+                self.evaluation = Evaluation::Eager;
+            } else {
+                self.evaluation = Evaluation::Deferred;
+                self.width *= WIDER;
+                self.begin_walkers();
+            }
+            self.begin_routes();
             route = self.routes.next();
         }
         route.map_or(Stage::Exhausted, |route| Stage::Leg(Vec::new(), root.state, route))
@@ -208,8 +224,11 @@ impl ParallelWalks {
 
     fn leg(&mut self, mut edges: Vec<usize>, from: StateId, mut ahead: Vec<usize>) -> Stage {
         let Some(&goal) = ahead.first() else { return Stage::Friends(edges) };
-        match self.legs.get(&(from, goal)) {
-            None => Stage::Search(Box::new(LegSearch::new(goal)), edges, from, ahead),
+        match self.legs.get(&(from, goal, self.evaluation)) {
+            None => {
+                let search = Box::new(LegSearch::new(goal, self.evaluation));
+                Stage::Search(search, edges, from, ahead)
+            }
             Some(Some((leg, end))) => {
                 edges.extend_from_slice(leg);
                 ahead.remove(0);
@@ -235,7 +254,7 @@ impl ParallelWalks {
             let end = leg.last().map(|edge| self.joint.states().all_edges()[*edge].target);
             (leg, end.unwrap_or(from))
         });
-        self.legs.insert((from, search.goal()), leg);
+        self.legs.insert((from, search.goal(), self.evaluation), leg);
         Stage::Leg(edges, from, ahead)
     }
 
