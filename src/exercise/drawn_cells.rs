@@ -1,22 +1,12 @@
 //! Cells that are drawn anew: walls, goals, the start, and the initial beliefs that hold it.
 
-use rand::{Rng, RngExt};
+use rand::Rng;
 
 use super::block::Vary;
+use super::dice::take;
 use super::edit::Draft;
 use super::initial_belief::{Believable, Others};
 use crate::domain::grid::Cell;
-
-/// A number below another; none where there is none.
-pub(super) fn below(random: &mut impl Rng, count: usize) -> Option<usize> {
-    let count = u32::try_from(count).ok().filter(|&count| count > 0)?;
-    Some(random.random_range(0..count) as usize)
-}
-
-/// Takes this many at random.
-fn take<T>(random: &mut impl Rng, among: &mut Vec<T>, count: usize) -> Option<Vec<T>> {
-    (0..count).map(|_| Some(among.swap_remove(below(random, among.len())?))).collect()
-}
 
 /// The cells that walls, goals and a start can be drawn from: those of what varies, and those in which nothing is.
 pub(super) fn free_cells(draft: &Draft, varies: &dyn Fn(Vary) -> bool) -> Vec<Cell> {
@@ -69,8 +59,7 @@ pub(super) fn draw_cells(
     for observer in ["adversarial", "cooperative"] {
         let Some(belief) = draft.belief(observer) else { continue };
         let others = Others::new(belief, &believable);
-        let numbers = take(random, &mut others.numbers(), others.size().checked_sub(1)?)?;
-        let states: Vec<_> = numbers.into_iter().map(|number| others.state(number)).collect();
+        let states = others.draw(random)?;
         draft.set_belief(observer, states.into_iter().chain([start.clone()]));
     }
     Some(())

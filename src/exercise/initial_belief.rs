@@ -3,9 +3,16 @@
 //! What all states of the old belief had in common with the old start, those of the new one have in common with the new
 //! start; the parts in which they differed are drawn.
 
+use rand::Rng;
 use serde_json::{Value, json};
 
+use super::dice::{below, take};
 use crate::domain::grid::{Cell, Direction};
+
+/// States that are listed to draw from, at most; of more, numbers are drawn until enough of them fit.
+const MOST_LISTED: usize = 20_000;
+/// Numbers drawn for each state that is wanted, at most.
+const TRIES: usize = 100;
 
 /// What a drawn state is made of.
 pub(super) struct Believable<'a> {
@@ -45,19 +52,34 @@ impl<'a> Others<'a> {
         Self { start, parts, size }
     }
 
-    /// How many states there were.
-    pub(super) fn size(&self) -> usize {
-        self.size
-    }
-
-    /// The numbers of all states that are possible.
-    pub(super) fn numbers(&self) -> Vec<usize> {
-        let count = self.parts.iter().map(|(_, values)| values.len()).product();
-        (0..count).filter(|&number| self.is_possible(&self.state(number))).collect()
+    /// As many states as there were, less the start, all different; none where there are too few.
+    pub(super) fn draw(&self, random: &mut impl Rng) -> Option<Vec<Value>> {
+        let wanted = self.size.checked_sub(1)?;
+        let mut sizes = self.parts.iter().map(|(_, values)| values.len());
+        let count = sizes.try_fold(1_usize, usize::checked_mul)?;
+        let numbers = if count <= MOST_LISTED {
+            let mut numbers: Vec<usize> =
+                (0..count).filter(|&number| self.is_possible(&self.state(number))).collect();
+            take(random, &mut numbers, wanted)?
+        } else {
+            // Nearly all are possible, and few of them wanted.
+            let mut numbers = Vec::with_capacity(wanted);
+            for _ in 0..TRIES * (wanted + 1) {
+                if numbers.len() == wanted {
+                    break;
+                }
+                let number = below(random, count)?;
+                if !numbers.contains(&number) && self.is_possible(&self.state(number)) {
+                    numbers.push(number);
+                }
+            }
+            (numbers.len() == wanted).then_some(numbers)?
+        };
+        Some(numbers.into_iter().map(|number| self.state(number)).collect())
     }
 
     /// The state of a number.
-    pub(super) fn state(&self, mut number: usize) -> Value {
+    fn state(&self, mut number: usize) -> Value {
         let mut state = self.start.clone();
         for (key, values) in &self.parts {
             let value = values[number % values.len()].clone();
@@ -90,5 +112,38 @@ fn values(key: &str, believed: &[Value], believable: &Believable<'_>) -> Vec<Val
             values.extend(held.cloned());
             values
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_pcg::Pcg32;
+
+    use super::*;
+
+    /// A floor of 64 × 64 cells has 67 million poses beside a box: they are drawn without a list of them.
+    #[test]
+    fn states_of_large_floors_are_drawn() {
+        let cells: Vec<Cell> =
+            (0..64).flat_map(|row| (0..64).map(move |column| [column, row])).collect();
+        let pose = |robot: [i32; 2], crate_at: [i32; 2], facing: &str| json!({"robot": robot, "box": crate_at, "facing": facing});
+        let (before, start) = (pose([0, 0], [1, 1], "north"), pose([5, 5], [7, 7], "east"));
+        let believed =
+            [before.clone(), pose([2, 0], [3, 3], "south"), pose([4, 0], [3, 5], "west")];
+        let believable =
+            Believable { start_before: &before, start: &start, cells: &cells, battery_levels: 0 };
+        let others = Others::new(&believed, &believable);
+        let mut random = Pcg32::seed_from_u64(7);
+        let mut met = Vec::new();
+        for _ in 0..50 {
+            let states = others.draw(&mut random).into_iter().flatten().collect::<Vec<_>>();
+            assert!(states.len() == 2 && states[0] != states[1], "{states:?}");
+            for state in states {
+                assert!(state != start && state["box"] != state["robot"], "{state}");
+                met.push(state);
+            }
+        }
+        assert!(met.iter().any(|state| state["facing"] != "north"), "{met:?}");
     }
 }

@@ -19,6 +19,7 @@ mod answer;
 mod belief_layers;
 mod block;
 pub mod code;
+mod dice;
 mod drawn_cells;
 mod edit;
 mod initial_belief;
