@@ -262,7 +262,7 @@ export interface VariantSample {
   different: number;
   /** How many different answers were found to them. */
   answers: number;
-  /** What an author should know before the exercise is handed out: "3 of 20 seeds drawn have no variant". */
+  /** What an author should know before the exercise is handed out: "all 20 variants drawn have the same answer". */
   remarks: string[];
 }
 /** A walk that contradicts an answer. */

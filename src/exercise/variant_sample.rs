@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::block::{Block, Vary};
+use super::edit::Draft;
 use super::variant::{MAX_TRIES, Variant, draw_within, explored};
 use crate::document::DocumentError;
 
@@ -22,7 +23,7 @@ const PATIENCE: u64 = 5;
 const FEW: u32 = 5;
 
 /// What a few seeds of an exercise come to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct VariantSample {
     /// How many seeds were drawn: 20, or fewer where drawing takes long.
@@ -35,6 +36,9 @@ pub struct VariantSample {
     pub answers: u32,
     /// How many questions were drawn for all that.
     pub draws: u32,
+    /// What was to vary and is the same in all those variants, of which there are two at least: the rest of the question
+    /// ties it down.
+    pub tied: Vec<Vary>,
 }
 
 impl VariantSample {
@@ -46,8 +50,9 @@ impl VariantSample {
 
     /// With at most `most` draws, or `patient` ones while no variant has been found.
     fn within(block: &Block, original: &Variant, most: u32, patient: u32) -> Self {
-        let mut sample = Self { seeds: 0, found: 0, different: 0, answers: 0, draws: 0 };
+        let mut sample = Self { seeds: 0, found: 0, different: 0, answers: 0, draws: 0, tied: vec![] };
         let (mut questions, mut answers) = (BTreeSet::new(), BTreeSet::new());
+        let mut values: Vec<BTreeSet<String>> = vec![BTreeSet::new(); block.vary.len()];
         for seed in 1..=u64::from(SEEDS) {
             let most = if sample.found == 0 { patient } else { most };
             let tries = MAX_TRIES.min(most.saturating_sub(sample.draws));
@@ -58,6 +63,9 @@ impl VariantSample {
                     sample.found += 1;
                     questions.insert(asked(&variant));
                     answers.insert(variant.form().to_json(variant.solution()).to_string());
+                    for (values, vary) in values.iter_mut().zip(&block.vary) {
+                        values.insert(value(&variant, *vary));
+                    }
                 }
                 // Nothing is known of a seed that was not drawn to its end.
                 None if drawn < MAX_TRIES => break,
@@ -66,12 +74,16 @@ impl VariantSample {
             sample.seeds += 1;
         }
         (sample.different, sample.answers) = (questions.len() as u32, answers.len() as u32);
+        if sample.found > 1 {
+            let tied = block.vary.iter().zip(&values).filter(|(_, values)| values.len() == 1);
+            sample.tied = tied.map(|(vary, _)| *vary).collect();
+        }
         sample
     }
 
     /// What an author should know before the exercise is handed out; nothing where each seed has a question of its own.
     pub fn remarks(&self) -> Vec<String> {
-        let Self { seeds, found, different, answers, draws } = *self;
+        let Self { seeds, found, different, answers, draws, ref tied } = *self;
         let mut remarks = Vec::new();
         if seeds == 0 {
             remarks.push(format!(
@@ -87,6 +99,13 @@ impl VariantSample {
         }
         if different > 1 && answers == 1 {
             remarks.push(format!("all {found} variants drawn have the same answer"));
+        }
+        // Where all are one question, that says it.
+        for vary in tied.iter().filter(|_| different > 1) {
+            remarks.push(format!(
+                "{} is the same in all {found} variants drawn: the rest of the question leaves no other",
+                vary.name()
+            ));
         }
         remarks
     }
@@ -117,6 +136,18 @@ fn most_draws(original: &Variant, effort: u64) -> u32 {
     MOST_DRAWS.min(effort / each).max(1) as u32
 }
 
+/// What a variant has of something that varies.
+fn value(variant: &Variant, vary: Vary) -> String {
+    let draft = Draft::new(variant.document());
+    match vary {
+        Vary::Start => draft.start_state().to_string(),
+        Vary::Goals => format!("{:?}", draft.goals()),
+        Vary::Walls => format!("{:?}", BTreeSet::from_iter(draft.walls())),
+        Vary::TrueGoal => variant.problem().goals()[variant.problem().true_goal()].name.clone(),
+        Vary::Plan => variant.walk().unwrap_or_default().join(", "),
+    }
+}
+
 /// What a student sees: the problem and the question. Where the true goal belongs to the question, its text names it.
 fn asked(variant: &Variant) -> String {
     // Only texts, numbers and lists: writing them cannot fail.
@@ -132,7 +163,7 @@ mod tests {
     use super::*;
 
     fn sample(seeds: u32, found: u32, different: u32, answers: u32) -> VariantSample {
-        VariantSample { seeds, found, different, answers, draws: 100 }
+        VariantSample { seeds, found, different, answers, draws: 100, tied: Vec::new() }
     }
 
     #[test]
@@ -145,6 +176,11 @@ mod tests {
         assert_eq!(said(20, 20, 1, 1), "all 20 variants drawn ask the same question");
         assert_eq!(said(20, 20, 3, 2), "the 20 variants drawn ask only 3 different questions");
         assert_eq!(said(20, 20, 20, 1), "all 20 variants drawn have the same answer");
+        let tied = VariantSample { tied: vec![Vary::Start], ..sample(20, 20, 20, 6) };
+        assert_eq!(
+            tied.remarks(),
+            ["start is the same in all 20 variants drawn: the rest of the question leaves no other"]
+        );
         assert_eq!(said(3, 3, 3, 3), "");
         assert_eq!(said(1, 1, 1, 1), "");
         assert_eq!(

@@ -464,4 +464,12 @@ fn what_is_no_code_is_not_called_the_same_and_more_attempts_than_there_are_are_r
     let row = &rows(&ran.out)[0];
     assert_eq!((&row["score"][..], &row["attempts"][..]), ("1", "2"));
     assert_eq!(row["reason"], "the code tells of 2 attempts, the exercise has 1");
+    // An exercise without hints shows none.
+    let mut without: serde_json::Value = serde_json::from_str(&text(GOALS)).unwrap();
+    without["exercise"]["hints"] = serde_json::json!([]);
+    let exercise = file("hints.json", &without.to_string());
+    let tally = mo_copp::exercise::Tally { attempts: 1, hints: 1 };
+    let table = format!("code\n{}\n", document.code(&variant, variant.solution(), tally));
+    let ran = mo_copp(&table, &["grade", exercise.to_str().unwrap(), "-"]);
+    assert_eq!(rows(&ran.out)[0]["reason"], "the code tells of 1 hint, the exercise has 0");
 }

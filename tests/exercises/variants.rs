@@ -204,6 +204,32 @@ fn variants_that_are_all_the_same_are_remarked() {
     assert_eq!(sample.remarks(), ["all 20 variants drawn ask the same question"]);
 }
 
+/// The walk goes from one corner of the floor to the other, so that no other cell can be its start.
+#[test]
+fn a_start_that_the_walk_ties_down_is_remarked() {
+    let text = serde_json::json!({
+        "format": "gridworld", "width": 4, "height": 4, "start": [0, 3],
+        "goals": [
+            {"name": "A", "cell": [3, 0]}, {"name": "B", "cell": [2, 1]},
+            {"name": "C", "cell": [0, 0]}, {"name": "D", "cell": [1, 2]}
+        ],
+        "true_goal": "A",
+        "observers": {
+            "adversarial": {"sensor": {"north": "moved", "south": "moved", "east": "moved", "west": "moved"}},
+            "cooperative": {"sensor": {"north": "up", "south": "down", "east": "right", "west": "left"}}
+        },
+        "exercise": {
+            "kind": "possible-goals", "observer": "adversarial",
+            "plan": ["north", "east", "north", "east", "north", "east"], "vary": ["start", "goals"]
+        }
+    });
+    let sample = sampled(&text.to_string()).unwrap();
+    assert_eq!(
+        sample.remarks(),
+        ["start is the same in all 20 variants drawn: the rest of the question leaves no other"]
+    );
+}
+
 #[test]
 fn where_only_the_true_goal_varies_a_question_must_depend_on_it() {
     let guess = |vary: serde_json::Value| {

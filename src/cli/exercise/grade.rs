@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use mo_copp::exercise::code::{canonical, is_like_code};
-use mo_copp::exercise::{CodeError, Exercise, Graded, Variant, seed_of};
+use mo_copp::exercise::{CodeError, Exercise, Graded, Tally, Variant, seed_of};
 
 use super::args::GradeArgs;
 use super::cell::Cell;
@@ -79,10 +79,16 @@ fn joined(reason: &str, further: &str) -> String {
     format!("{reason}{and}{further}")
 }
 
-/// What is remarked of a code that tells more attempts than the exercise has. The answer keeps its score: attempts are
-/// not proved by a code.
-fn too_many(attempts: u32, most: u32) -> String {
-    format!("the code tells of {attempts} attempts, the exercise has {most}")
+/// What is remarked of a code that tells more attempts or hints than the exercise has. The answer keeps its score: a code
+/// proves neither.
+fn too_many(exercise: &Exercise, tally: Tally) -> impl Iterator<Item = String> {
+    let hints = exercise.hints().len() as u32;
+    let remark = |word: &str, told: u32, most: u32| {
+        let s = if told == 1 { "" } else { "s" };
+        (told > most).then(|| format!("the code tells of {told} {word}{s}, the exercise has {most}"))
+    };
+    let attempts = exercise.attempts().and_then(|most| remark("attempt", tally.attempts, most));
+    attempts.into_iter().chain(remark("hint", tally.hints, hints))
 }
 
 /// What is added to a row that has no answer, or none that can be checked.
@@ -114,10 +120,8 @@ fn graded(
         }
         Ok(Graded { variant, answer, verdict, tally, .. }) => [
             verdict.score().to_string(),
-            match exercise.attempts().filter(|&most| tally.attempts > most) {
-                Some(most) => joined(verdict.reason(), &too_many(tally.attempts, most)),
-                None => verdict.reason().to_owned(),
-            },
+            too_many(exercise, tally)
+                .fold(verdict.reason().to_owned(), |reason, further| joined(&reason, &further)),
             variant.seed().to_string(),
             variant.form().in_words(&answer),
             tally.attempts.to_string(),

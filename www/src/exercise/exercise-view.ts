@@ -62,11 +62,11 @@ const asked = (
           ${hintButton(exercise, question)}
         </div>
         <p class="tally">${tally(exercise, question)}</p>
+        ${hints(exercise, question)}
+        <div role="status" class="verdict">${said(exercise)}</div>
+        ${codeField(exercise)}
       </form>
-    </div>
-    ${hints(exercise, question)}
-    <div role="status" class="verdict">${said(exercise)}</div>
-    ${codeField(exercise)}`;
+    </div>`;
 
 const boardNames = { actor: "The agent", adversarial: "The enemy", cooperative: "The friend" };
 const boardWords = {

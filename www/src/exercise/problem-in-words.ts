@@ -13,7 +13,11 @@ export function problemInWords({ document, kind }: Question): TemplateResult {
   const { true_goal, ...rest } = document as { true_goal?: string };
   const { sentences, texts = [] } = inWords((kind === "guess" ? rest : document) as Words);
   return html`<details><summary>The problem in words</summary>
-    <ul>${sentences.map((sentence) => html`<li>${sentence}</li>`)}</ul>
+    <ul>${sentences.map((sentence) =>
+      typeof sentence === "string"
+        ? html`<li>${sentence}</li>`
+        : html`<li>${sentence.said}<ul>${sentence.each.map((one) => html`<li>${one}</li>`)}</ul></li>`,
+    )}</ul>
     ${
       texts.length === 0
         ? nothing

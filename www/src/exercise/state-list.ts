@@ -4,8 +4,9 @@ import { html, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { Question, State } from "../core.js";
 import type { Exercise } from "../state/exercise.js";
+import { actionText } from "../view/action.js";
 import { counted } from "../view/numbers.js";
-import { placeText, stateText } from "./state-text.js";
+import { between, placeText, stateText } from "./state-text.js";
 
 /** Fewer states are seen at once. */
 const FEW = 12;
@@ -61,18 +62,26 @@ function itemsOf(choices: readonly State[]): readonly Item[] {
 
 function itemOf(state: State, index: number): Item {
   const text = stateText(state);
-  if (typeof state !== "object" || Array.isArray(state)) return { index, text, group: "", rest: text };
+  if (typeof state !== "object") return { index, text, group: "", rest: text };
+  if (Array.isArray(state)) {
+    const [first, ...others] = state.map((fact) => actionText(String(fact)));
+    return { index, text, ...parted(first, others.join(", "), text) };
+  }
   const [first, ...others] = Object.entries(state).map(([part, value]) => `${part} ${placeText(value)}`);
-  return { index, text, group: first ?? "", rest: others.join(", ") };
+  return { index, text, ...parted(first, others.join(between), text) };
 }
+
+/** A state of one part has no group: the part is all that would be said of it. */
+const parted = (first: string | undefined, rest: string, text: string) =>
+  first === undefined || rest === "" ? { group: "", rest: text } : { group: first, rest };
 
 /** A cell as documents write it, and all that parts words. */
 const plain = (text: string): string =>
   text
     .toLowerCase()
     .replace(/\[\s*(\d+)\s*,\s*(\d+)\s*\]/g, "column $1, row $2")
-    .replace(/[\s·]+/g, " ")
-    .replace(/ ?, ?/g, ", ")
+    .replace(/\s+/g, " ")
+    .replace(/ ?[,·] ?/g, ", ")
     .trim();
 
 /** Text that begins a word and ends at will, but for numbers: 1 is no part of 12. */

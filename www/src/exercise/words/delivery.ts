@@ -14,6 +14,7 @@ export function deliveryInWords(document: DeliveryDocument): string[] {
     `The truck is empty at first. It loads ${deliver} of the packages, one after another, and then delivers them.`,
     `Goals: each set of ${deliver} packages.`,
     ...trueGoalText(true_goal),
+    "The observers know what lies where at first.",
     ...roles.map((role) => toldOf(document, role)),
   ];
 }
@@ -25,5 +26,5 @@ function toldOf({ factories, observers }: DeliveryDocument, role: Role): string 
     packages.map((one) => [`load ${one}`, symbolOf(one, name)] as const),
   );
   const told = typeof load === "string" ? `“${load}” for every package that is loaded` : toldText(loads);
-  return `${who(role)} knows what lies where at first. It is told ${told}; “${deliver}” for deliver.`;
+  return `${who(role)} is told ${told}; “${deliver}” for deliver.`;
 }

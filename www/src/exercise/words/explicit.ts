@@ -25,7 +25,7 @@ export function explicitInWords(document: ExplicitWords): InWords {
   const few = steps.length <= MOST;
   return {
     sentences: [
-      `${counted(states.length, "state")}, ${counted(actions.length, "action")}. It begins in ${initial_state}.`,
+      `${counted(states.length, "state")}, ${counted(actions.length, "action")}. The agent begins in ${initial_state}.`,
       ...(few ? [`What can be done: ${steps.join("; ")}.`] : []),
       ...goals.map((goal) =>
         goal.states.length === 0
@@ -52,10 +52,10 @@ export function explicitInWords(document: ExplicitWords): InWords {
 function watcherText(role: Role, { initial_belief, sensor }: ExplicitWords["observers"][Role], few: boolean): string {
   const begins =
     initial_belief === undefined
-      ? "knows the first state"
-      : `believes at first that it is one of: ${initial_belief.join("; ")}`;
+      ? `${who(role)} knows the first state`
+      : `At first ${who(role).toLowerCase()} does not know the first state: it may be ${listed(initial_belief, "or")}`;
   const told = few
-    ? ` It is told ${toldText(sensor.map(([action, to, symbol]) => [`${action} into ${to}`, symbol]))}.`
+    ? ` ${who(role)} is told ${toldText(sensor.map(([action, to, symbol]) => [`${action} into ${to}`, symbol]))}.`
     : "";
-  return `${who(role)} ${begins}.${told}`;
+  return `${begins}.${told}`;
 }

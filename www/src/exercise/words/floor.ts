@@ -4,7 +4,7 @@ import { cellText } from "../../problem/cells.js";
 import type { FloorDocument, Role } from "../../problem/types.js";
 import { roles } from "../../view/observers.js";
 import { placeText, stateText } from "../state-text.js";
-import { listed, toldText, trueGoalText, who } from "./sensor.js";
+import { listed, type Sentence, toldText, trueGoalText, who } from "./sensor.js";
 
 type Parts = Record<string, unknown>;
 
@@ -23,7 +23,7 @@ const inGoal: Record<FloorDocument["format"], string> = {
   "recycling-robot": "Goals, each a cell for the can: there is a bin",
 };
 
-export function floorInWords(document: FloorDocument): string[] {
+export function floorInWords(document: FloorDocument): Sentence[] {
   const { width, height, walls = [], goals, true_goal, observers } = document;
   return [
     `${width} columns from the left, ${height} rows from the top, both counted from 0.`,
@@ -31,7 +31,7 @@ export function floorInWords(document: FloorDocument): string[] {
     ...startOf(document),
     `${inGoal[document.format]}: ${goals.map(({ name, cell }) => `${name} at ${cellText(cell)}`).join("; ")}.`,
     ...trueGoalText(true_goal),
-    ...roles.map((role) => watcherText(role, observers[role], document.start)),
+    ...roles.flatMap((role) => watcherText(role, observers[role], document.start)),
   ];
 }
 
@@ -50,24 +50,45 @@ function startOf(document: FloorDocument): string[] {
   ];
 }
 
-function watcherText(role: Role, { sensor, cameras = [], initial_belief }: Watcher, start: unknown): string {
+function watcherText(role: Role, { sensor, cameras = [], initial_belief }: Watcher, start: unknown): Sentence[] {
   const watched =
     cameras.length === 0 ? "" : ` Its cameras: ${cells(cameras)}; there it is told the very cell instead.`;
-  const begins = initial_belief === undefined ? "knows the start" : beliefText(initial_belief, start);
-  return `${who(role)} ${begins}. It is told ${toldText(Object.entries(sensor))}.${watched}`;
+  const told = `${who(role)} is told ${toldText(Object.entries(sensor))}.${watched}`;
+  return [beliefText(who(role), initial_belief ?? [], start), told];
 }
 
+/** What is not known where a part of the start is doubtful. */
+const doubted: Record<string, string> = {
+  robot: "where the robot is",
+  facing: "which way the robot faces",
+  box: "where the box is",
+  battery: "how full the battery is",
+  can: "where the can is",
+};
+
 /** A first belief: what is doubtful of the start, where that is one part, else the states one by one. */
-function beliefText(states: readonly unknown[], start: unknown): string {
-  if (Array.isArray(start)) return `believes at first that the start is one of: ${cells(states as number[][])}`;
+function beliefText(watcher: string, states: readonly unknown[], start: unknown): Sentence {
+  const doubts = (what: string, each: readonly string[]): Sentence =>
+    each.some((one) => one.includes(","))
+      ? { said: `At first ${watcher.toLowerCase()} does not know ${what}. It may be any of these:`, each }
+      : `At first ${watcher.toLowerCase()} does not know ${what}: it may be ${listed(each, "or")}.`;
+  const knows = `${watcher} knows the start.`;
+  if (Array.isArray(start)) {
+    const [only, ...more] = states as number[][];
+    return only === undefined || more.length === 0 ? knows : doubts("the start", [only, ...more].map(cellText));
+  }
   const parts = Object.keys(start as Parts).filter((key) =>
     states.some((state) => JSON.stringify((state as Parts)[key]) !== JSON.stringify((start as Parts)[key])),
   );
   const [part] = parts;
-  if (part === undefined) return "knows the start";
+  if (part === undefined) return knows;
   if (parts.length > 1)
-    return `believes at first that it begins in one of these states: ${states.map((state) => stateText(state as State)).join("; ")}`;
-  const values = states.map((state) => placeText((state as Parts)[part]));
-  const separator = values.some((value) => value.includes(",")) ? `: ${values.join("; ")}` : ` ${listed(values)}`;
-  return `knows how all begins but for one part, ${part}, which is one of${separator}`;
+    return doubts(
+      "how all begins",
+      states.map((state) => stateText(state as State)),
+    );
+  return doubts(
+    doubted[part] ?? part,
+    states.map((state) => placeText((state as Parts)[part])),
+  );
 }

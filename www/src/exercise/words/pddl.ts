@@ -2,7 +2,7 @@
 // Actions and objects stand in its own texts.
 import { type Role, roles } from "../../view/observers.js";
 import { atomsOfInit } from "./pddl-init.js";
-import { type InWords, listed, trueGoalText, who } from "./sensor.js";
+import { type InWords, listed, type Sentence, trueGoalText, who } from "./sensor.js";
 
 interface Rule {
   operator: string;
@@ -46,10 +46,10 @@ export function pddlInWords({ domain, problem, goals, true_goal, observers }: Pd
   };
 }
 
-function watcherTexts(role: Role, { groups = {}, initial_belief, sensor }: Watcher): string[] {
-  const alike = Object.entries(groups).map(([name, objects]) => `${listed(objects)} (it reads ${name})`);
+function watcherTexts(role: Role, { groups = {}, initial_belief, sensor }: Watcher): Sentence[] {
+  const alike = Object.entries(groups).map(([name, objects]) => `${listed(objects)} (read as ${name})`);
   return [
-    `${who(role)} ${beginsText(initial_belief)}.`,
+    beginsText(who(role), initial_belief),
     ...(alike.length === 0
       ? []
       : [`To ${role === "adversarial" ? "the enemy" : "the friend"} these look alike: ${alike.join("; ")}.`]),
@@ -57,11 +57,12 @@ function watcherTexts(role: Role, { groups = {}, initial_belief, sensor }: Watch
   ];
 }
 
-function beginsText(belief: Watcher["initial_belief"]): string {
-  if (belief === undefined) return "knows the first state";
+function beginsText(watcher: string, belief: Watcher["initial_belief"]): Sentence {
+  if (belief === undefined) return `${watcher} knows the first state.`;
+  const doubts = `At first ${watcher.toLowerCase()} does not know the first state. It may be`;
   if ("reachable" in belief)
-    return `believes at first that it is any state that can be reached and in which this holds: ${belief.reachable}`;
-  return `believes at first that one of these is so: ${belief.map(stateText).join("; ")}`;
+    return `${doubts} any state that can be reached and in which this holds: ${belief.reachable}.`;
+  return { said: `${doubts} any of these:`, each: belief.map(stateText) };
 }
 
 function stateText(state: Change): string {

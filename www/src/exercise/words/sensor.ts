@@ -1,9 +1,12 @@
 // What an observer is told, and what it knows at first, in words.
 import { called, type Role } from "../../view/observers.js";
 
+/** A sentence; one that ends in a colon goes on with a list. */
+export type Sentence = string | { said: string; each: readonly string[] };
+
 /** A problem in words. */
 export interface InWords {
-  sentences: readonly string[];
+  sentences: readonly Sentence[];
   /** Texts that are read as they are, each with its title. */
   texts?: readonly { title: string; text: string }[];
 }
@@ -18,8 +21,8 @@ export function toldText(symbols: readonly (readonly [action: string, symbol: st
 }
 
 /** "one", "one and two", "one, two and three". */
-export const listed = (names: readonly string[]): string =>
-  names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} and ${names.at(-1)}`;
+export const listed = (names: readonly string[], last = "and"): string =>
+  names.length < 2 ? names.join("") : `${names.slice(0, -1).join(", ")} ${last} ${names.at(-1)}`;
 
 /** The sentence of the true goal, unless it is to be guessed. */
 export const trueGoalText = (name: string | undefined): string[] =>
