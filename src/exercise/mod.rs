@@ -30,6 +30,7 @@ mod subject;
 mod variant;
 mod variant_sample;
 mod verdict;
+mod walks;
 mod words;
 
 use std::collections::BTreeMap;

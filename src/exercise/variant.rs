@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use rand::{Rng, RngExt, SeedableRng};
+use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 use sha2::{Digest as _, Sha256};
 
 use super::answer::{Answer, Form};
-use super::belief_layers::MAX_STATES;
 use super::block::{Block, Vary};
 use super::dice::below;
 use super::drawn_cells::{draw_cells, free_cells};
@@ -15,12 +14,12 @@ use super::edit::Draft;
 use super::kind::{Kind, Solved};
 use super::subject::Subject;
 use super::verdict::Verdict;
+use super::walks::{walk_of, walk_to_goal};
 use super::{Difficulty, ExerciseError, Unfit};
 use crate::document::{DocumentError, plain_name};
 use crate::domain::Document;
 use crate::domain::grid::Cell;
 use crate::problem::Problem;
-use crate::task::{StateId, StateSpace};
 
 /// How many variants are drawn for a seed before there is none.
 pub(super) const MAX_TRIES: u32 = 500;
@@ -240,97 +239,10 @@ fn drawn(block: &Block, original: &Variant, random: &mut impl Rng) -> Option<(Su
             } else if matches!(block.kind, Kind::Guess(_)) {
                 walk_to_goal(&problem, random)?
             } else {
-                random_walk(&problem, watching.plan.len(), random)?
+                walk_of(&problem, watching.plan.len(), random)?
             };
             block.kind.with_plan(plan)
         }
     };
     Some((Subject { document, problem }, kind))
-}
-
-/// A walk of so many steps that does not go straight back where it need not.
-fn random_walk(problem: &Problem, steps: usize, random: &mut impl Rng) -> Option<Vec<String>> {
-    let task = problem.task();
-    let mut space = StateSpace::new(Arc::clone(task));
-    let mut at = space.intern(task.initial_state());
-    let mut before = at;
-    let mut names = Vec::with_capacity(steps);
-    for _ in 0..steps {
-        space.expand(at);
-        let onward: Vec<_> = space.edges(at).iter().filter(|edge| edge.target != before).collect();
-        let edges = if onward.is_empty() { space.edges(at).iter().collect() } else { onward };
-        let edge = edges[below(random, edges.len())?];
-        names.push(task.action_name(edge.action).to_owned());
-        (before, at) = (at, edge.target);
-    }
-    Some(names)
-}
-
-/// A walk to the true goal: up to two steps anywhere, then a shortest one.
-fn walk_to_goal(problem: &Problem, random: &mut impl Rng) -> Option<Vec<String>> {
-    let task = problem.task();
-    let space = explored(problem)?;
-    let distances = goal_distances(&space);
-    let mut at = StateId(0);
-    let mut names = Vec::new();
-    let aside = random.random_range(0..3_u32);
-    while names.len() < MAX_STATES {
-        let here = distances[at.index()]?;
-        let wandering = (names.len() as u32) < aside;
-        if here == 0 && !wandering {
-            return Some(names);
-        }
-        let nearer = |target: StateId| distances[target.index()] == here.checked_sub(1);
-        let edges: Vec<_> =
-            space.edges(at).iter().filter(|edge| wandering || nearer(edge.target)).collect();
-        let edge = edges[below(random, edges.len())?];
-        names.push(task.action_name(edge.action).to_owned());
-        at = edge.target;
-    }
-    None
-}
-
-/// All states that walks lead to, each with what follows it; none where they are too many.
-pub(super) fn explored(problem: &Problem) -> Option<StateSpace> {
-    let task = problem.task();
-    let mut space = StateSpace::new(Arc::clone(task));
-    let mut next = Some(space.intern(task.initial_state()));
-    while let Some(state) = next {
-        space.expand(state);
-        if space.len() > MAX_STATES {
-            return None;
-        }
-        next = space.after(state);
-    }
-    Some(space)
-}
-
-/// The steps from each state to the true goal, in a space that is expanded in full.
-fn goal_distances(space: &StateSpace) -> Vec<Option<usize>> {
-    let task = space.task();
-    let mut before: Vec<Vec<usize>> = vec![Vec::new(); space.len()];
-    let mut distances = vec![None; space.len()];
-    let mut queue = Vec::new();
-    for (index, distance) in distances.iter_mut().enumerate() {
-        let state = StateId(index as u32);
-        for edge in space.edges(state) {
-            before[edge.target.index()].push(index);
-        }
-        if task.satisfies(space.words(state), task.goal()) {
-            *distance = Some(0);
-            queue.push(index);
-        }
-    }
-    let mut done = 0;
-    while let Some(&state) = queue.get(done) {
-        done += 1;
-        let next = distances[state].map(|steps| steps + 1);
-        for &earlier in &before[state] {
-            if distances[earlier].is_none() {
-                distances[earlier] = next;
-                queue.push(earlier);
-            }
-        }
-    }
-    distances
 }

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use super::block::{Block, Vary};
 use super::edit::Draft;
-use super::variant::{MAX_TRIES, Variant, draw_within, explored};
+use super::variant::{MAX_TRIES, Variant, draw_within};
+use super::walks::explored;
 use crate::document::DocumentError;
 
 /// How many seeds are drawn, where that is quick.
@@ -50,7 +51,8 @@ impl VariantSample {
 
     /// With at most `most` draws, or `patient` ones while no variant has been found.
     fn within(block: &Block, original: &Variant, most: u32, patient: u32) -> Self {
-        let mut sample = Self { seeds: 0, found: 0, different: 0, answers: 0, draws: 0, tied: vec![] };
+        let mut sample =
+            Self { seeds: 0, found: 0, different: 0, answers: 0, draws: 0, tied: vec![] };
         let (mut questions, mut answers) = (BTreeSet::new(), BTreeSet::new());
         let mut values: Vec<BTreeSet<String>> = vec![BTreeSet::new(); block.vary.len()];
         for seed in 1..=u64::from(SEEDS) {
@@ -179,7 +181,9 @@ mod tests {
         let tied = VariantSample { tied: vec![Vary::Start], ..sample(20, 20, 20, 6) };
         assert_eq!(
             tied.remarks(),
-            ["start is the same in all 20 variants drawn: the rest of the question leaves no other"]
+            [
+                "start is the same in all 20 variants drawn: the rest of the question leaves no other"
+            ]
         );
         assert_eq!(said(3, 3, 3, 3), "");
         assert_eq!(said(1, 1, 1, 1), "");

@@ -230,6 +230,25 @@ fn a_start_that_the_walk_ties_down_is_remarked() {
     );
 }
 
+/// A goal of the recycling robot takes a can that is picked up and dropped: few walks at random come to one.
+#[test]
+fn walks_that_are_drawn_come_to_goals_that_take_some_doing() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/recycling-robot.json");
+    let mut document: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    for (observer, vary) in
+        [("adversarial", vec!["start", "plan"]), ("cooperative", vec!["start", "goals", "plan"])]
+    {
+        document["exercise"] = serde_json::json!({
+            "kind": "possible-goals", "observer": observer,
+            "plan": ["west", "pick-up", "south", "west", "drop"], "vary": vary
+        });
+        let sample = sampled(&document.to_string()).unwrap();
+        assert!(sample.seeds > 5 && sample.found == sample.seeds, "{sample:?}");
+        assert!(sample.different > 5, "{sample:?}");
+    }
+}
+
 #[test]
 fn where_only_the_true_goal_varies_a_question_must_depend_on_it() {
     let guess = |vary: serde_json::Value| {

@@ -85,7 +85,8 @@ fn too_many(exercise: &Exercise, tally: Tally) -> impl Iterator<Item = String> {
     let hints = exercise.hints().len() as u32;
     let remark = |word: &str, told: u32, most: u32| {
         let s = if told == 1 { "" } else { "s" };
-        (told > most).then(|| format!("the code tells of {told} {word}{s}, the exercise has {most}"))
+        (told > most)
+            .then(|| format!("the code tells of {told} {word}{s}, the exercise has {most}"))
     };
     let attempts = exercise.attempts().and_then(|most| remark("attempt", tally.attempts, most));
     attempts.into_iter().chain(remark("hint", tally.hints, hints))
