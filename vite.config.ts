@@ -2,6 +2,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { documentation } from "./scripts/documentation/plugin.mjs";
 import { learn } from "./scripts/learn/plugin.mjs";
+import { openingAnswer } from "./scripts/page/opening-answer.mjs";
 import { stylesInElement } from "./scripts/page/styles.mjs";
 import { withoutAddress } from "./scripts/page/without-address.mjs";
 import { thirdParty } from "./scripts/third-party/plugin.mjs";
@@ -27,7 +28,7 @@ export default defineConfig({
   root: here("www"),
   // Relative addresses: the page works under any sub-path.
   base: "./",
-  plugins: [policyInBuildOnly(), stylesInElement(), documentation(), learn(), licences.page],
+  plugins: [policyInBuildOnly(), stylesInElement(), openingAnswer(), documentation(), learn(), licences.page],
   // One script that is a module worker on its own host and a classic one elsewhere.
   worker: { format: "iife", plugins: () => [withoutAddress(), licences.worker] },
   build: {

@@ -4,6 +4,7 @@ import { compress } from "lzma1";
 import { build } from "vite";
 import { dist, inRoot } from "../lib/paths.mjs";
 import { onlyAscii } from "./ascii.mjs";
+import { withoutOpeningAnswer } from "./opening-answer.mjs";
 import { stylesInElement } from "./styles.mjs";
 import { withoutAddress } from "./without-address.mjs";
 
@@ -15,7 +16,7 @@ export async function buildSingle() {
       logLevel: "warn",
       root: inRoot("www"),
       publicDir: false,
-      plugins: [stylesInElement(), startInline(), core(), onlyAscii()],
+      plugins: [stylesInElement(), withoutOpeningAnswer(), startInline(), core(), onlyAscii()],
       worker: { format: "iife", plugins: () => [withoutAddress()] },
       build: {
         outDir: dist,

@@ -158,6 +158,9 @@ test("the first load fetches the light core alone, another solver the full one, 
   onDemand(async (visited) => {
     const { page } = visited;
     await statusIs(page, "optimal");
+    // The answer comes with the page, and the core after it.
+    if (fetched(visited).light === 0)
+      await page.context().waitForEvent("request", (request) => isLight(new URL(request.url()).pathname));
     assert.deepEqual(fetched(visited), { light: 1, full: 0 });
     const difference = await attribute(page, "data-gd");
     await choose(page, "Solver", "search");

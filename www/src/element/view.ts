@@ -39,6 +39,7 @@ import { keepInSight } from "./in-sight.js";
 import { linkAddressOf } from "./link-address.js";
 import { LiveRender } from "./live-render.js";
 import { mark } from "./marks.js";
+import { opensExample } from "./opens-example.js";
 import { PageKeys } from "./page-keys.js";
 import { PageQuestion } from "./page-question.js";
 import { parsed } from "./parsed.js";
@@ -152,8 +153,9 @@ export class View {
     clearTimeout(this.leaving);
     this.playground.wake();
     choosePlaces({ worker: host.getAttribute("worker-url"), wasm: host.getAttribute("wasm-url") });
-    this.playground.solving.prepare();
     this.sharing.value = this.host.getAttribute("link") !== "off" && this.address.claim();
+    const isLinked = this.sharing.value && location.hash !== "";
+    if (this.begun || !opensExample(host, this.given.first, isLinked)) this.playground.solving.prepare();
     // Which playground has the address has the page; among several, each takes what is dropped on itself.
     this.drops.listen(this.sharing.value ? window : this.host);
     this.announcer.listen();

@@ -1,6 +1,7 @@
 // Solving the open problem: at once with every change, or with the solver chosen when it is asked for.
 import { batch, type Signal } from "@preact/signals-core";
 import type { SolveOptions } from "../core.js";
+import { afterPicture } from "../view/after-picture.js";
 import type { Ending } from "../worker/client.js";
 import type { News } from "../worker/pool.js";
 import type { Task } from "../worker/protocol.js";
@@ -12,6 +13,7 @@ import { exactOptions, type Form, optionsOf } from "./form.js";
 import { isMissing } from "./lost.js";
 import { fitted } from "./numbers.js";
 import type { OpenDocument, OpenProblem } from "./open-problem.js";
+import { type OpeningAnswer, openingAnswer } from "./opening-answer.js";
 import type { At, Timeline } from "./timeline.js";
 
 /** What takes longer is seen to take long, and can be cancelled. */
@@ -47,6 +49,8 @@ export class Solving {
   private readonly live = new Coalesce<Job>((job) => this.perform(job));
   /** What the best possible was asked for last. */
   private asked = "";
+  /** How often something was to be solved. */
+  private begun = 0;
 
   constructor({ problem, boards, timeline, answer, form }: Stores) {
     this.problem = problem;
@@ -96,7 +100,10 @@ export class Solving {
   async open(document: OpenDocument, options: SolveOptions, exact: SolveOptions, at: At): Promise<void> {
     this.asked = JSON.stringify(exact);
     this.begin();
-    await this.perform({ document, options, at });
+    const job = { document, options, at };
+    const known = this.problem.document.value === null ? openingAnswer(document.text, options) : null;
+    if (known === null || document.closed) await this.perform(job);
+    else this.openKnown(job, known);
   }
 
   /** Solves an edit; of many in short time only the last. */
@@ -150,12 +157,28 @@ export class Solving {
   }
 
   private begin(): void {
+    this.begun += 1;
     this.timeline.pause();
     this.answer.begin();
   }
 
+  /** Shows an answer that came with the page, and has the core work it out as well. */
+  private openKnown(job: Job, known: OpeningAnswer): void {
+    this.settle(job, known);
+    void this.confirm(job);
+  }
+
+  /** What the core says then is known but for whether it is there at all: where it is not, that is said before it is needed. */
+  private async confirm({ document, options }: Job): Promise<void> {
+    const { begun } = this;
+    await afterPicture();
+    if (begun !== this.begun) return;
+    const ending = await this.runner.run({ kind: "solve", document: document.text, options });
+    if (begun === this.begun) this.failed(ending);
+  }
+
   private async perform(job: Job): Promise<Ending> {
-    const { document, options, at } = job;
+    const { document, options } = job;
     if (document.closed) return this.show(job);
     const { boards, answer } = this;
     const mode = boards.mode.value;
@@ -170,7 +193,13 @@ export class Solving {
     clearTimeout(waiting);
     if (ending.kind === "refused" && this.refit(document)) return ending;
     if (ending.kind !== "solved") return this.failed(ending);
-    const { scene, outcome, trace } = ending;
+    this.settle(job, ending, mode);
+    return ending;
+  }
+
+  /** `mode`: what was shown when the solver was asked. */
+  private settle({ document, options, at }: Job, { scene, outcome, trace }: OpeningAnswer, mode = "plan"): void {
+    const { boards, answer } = this;
     batch(() => {
       const changed = this.take(document, scene);
       answer.take({ options, outcome }, trace, this.live.waits);
@@ -178,7 +207,6 @@ export class Solving {
       const played = !changed && mode === "plan" && boards.mode.value !== "plan";
       if (!played) boards.showAnswer(trace, outcome.plan !== null, at);
     });
-    return ending;
   }
 
   /** Shows a problem that is not to be solved. */
