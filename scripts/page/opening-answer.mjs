@@ -32,5 +32,5 @@ export async function answer() {
   const { stats, ...outcome } = run.outcome();
   const { seconds: _, ...counts } = stats;
   const trace = problem.overview(outcome.plan ?? [], MOST_STATES);
-  return { document, options, scene: problem.scene(), outcome: { ...outcome, stats: counts }, trace };
+  return { options, scene: problem.scene(), outcome: { ...outcome, stats: counts }, trace };
 }
