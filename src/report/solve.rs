@@ -1,0 +1,329 @@
+//! What a solver answers, and how far it is: `solve --json`.
+
+use serde::Serialize;
+
+use super::advice::AdviceReport;
+use super::by_observer::{ByObserver, goal_names};
+use crate::problem::Problem;
+use crate::solver::{LengthPoint, Outcome, Progress, Solver, Stats, Status};
+
+/// What a solver answers: `solve --json`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct SolveReport {
+    /// `optimal`, `solved`, `feasible`, `infeasible` or `limit`.
+    pub status: &'static str,
+    /// The solver.
+    pub solver: &'static str,
+    /// The integer program used.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub encoding: Option<&'static str>,
+    /// The number of actions.
+    pub horizon: Option<usize>,
+    /// The names of the actions.
+    pub plan: Option<Vec<String>>,
+    /// What the plan costs, where the problem has costs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<u64>,
+    /// The most that a plan may cost, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost_limit: Option<u64>,
+    /// The goals that survive for each observer.
+    pub goals: Option<ByObserver<Vec<String>>>,
+    /// For each observer the goals of which it is not known whether they survive, where there are any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unsettled: Option<ByObserver<Vec<String>>>,
+    /// The goal difference, from −1 to 1; at least this where goals are unsettled.
+    pub goal_difference: Option<f64>,
+    /// A proved upper bound on the goal difference; not there where none is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bound: Option<f64>,
+    /// The bound less the goal difference: 0 where the plan is proved best.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+    /// Whether the plan is proved to be a shortest one of its goal difference, where that was looked
+    /// at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length_proved: Option<bool>,
+    /// Every reachable pair of survivor counts, sorted, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pairs: Option<Vec<PairReport>>,
+    /// False where a limit came before all pairs were found; not there otherwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pairs_complete: Option<bool>,
+    /// The Pareto front of the pairs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub front: Option<Vec<FrontReport>>,
+    /// The pairs, where they were asked for by their old name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pareto: Option<Vec<PairReport>>,
+    /// The same of these.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pareto_complete: Option<bool>,
+    /// The best plan of each length from 0, where that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lengths: Option<Vec<LengthReport>>,
+    /// The limit that was met.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<String>,
+    /// Why there is no plan and what would do, where somebody looked for that.
+    #[cfg(feature = "full")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remedy: Option<AdviceReport>,
+    /// What the work took.
+    pub stats: StatsReport,
+}
+
+/// A reachable pair of survivor counts with a plan for it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PairReport {
+    /// Goals that survive for the enemy.
+    pub adversarial: usize,
+    /// Goals that survive for the friend.
+    pub cooperative: usize,
+    /// The names of the actions.
+    pub plan: Vec<String>,
+}
+
+/// A pair of survivor counts on the Pareto front: no other pair is at least as good for both sides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct FrontReport {
+    /// Goals that survive for the enemy.
+    pub adversarial: usize,
+    /// Goals that survive for the friend.
+    pub cooperative: usize,
+}
+
+/// The best plan of exactly this many actions; null where no plan of this length keeps the bounds.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct LengthReport {
+    /// The number of actions.
+    pub length: usize,
+    /// Goals that survive for the enemy.
+    pub adversarial: Option<usize>,
+    /// Goals that survive for the friend.
+    pub cooperative: Option<usize>,
+    /// The goal difference.
+    pub goal_difference: Option<f64>,
+    /// The names of the actions.
+    pub plan: Option<Vec<String>>,
+}
+
+/// What the work took; only what the solver counts is there.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct StatsReport {
+    /// Nodes expanded by a search.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expansions: Option<u64>,
+    /// Nodes generated by a search.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub generated: Option<u64>,
+    /// States met.
+    pub states: u64,
+    /// Beliefs met.
+    pub beliefs: u64,
+    /// Branch-and-bound nodes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nodes: Option<u64>,
+    /// Simplex iterations.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub iterations: Option<u64>,
+    /// Variables of the integer program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub variables: Option<u64>,
+    /// Rows of the integer program.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rows: Option<u64>,
+    /// The size of approximate beliefs (Δ) at the end of a search.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub belief_size: Option<u64>,
+    /// Walks beside plans that were looked for to show that a goal survives for an enemy.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub walks: Option<u64>,
+    /// Walks found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub walks_found: Option<u64>,
+    /// How often a friend's bounds were settled by pairs of values alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub settled_by_pairs: Option<u64>,
+    /// How often a friend's belief had to be worked out for its bounds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub settled_by_beliefs: Option<u64>,
+    /// Wall-clock seconds, where somebody measured them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seconds: Option<f64>,
+}
+
+/// How far a solver is.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct ProgressReport {
+    /// The solver.
+    pub solver: &'static str,
+    /// `expansions` or `nodes`.
+    pub unit: &'static str,
+    /// How many of them.
+    pub done: u64,
+    /// The horizon being worked on.
+    pub horizon: Option<usize>,
+    /// The goal difference of the best plan found.
+    pub goal_difference: Option<f64>,
+    /// A proved upper bound on it.
+    pub bound: Option<f64>,
+    /// The distance between the two.
+    pub gap: Option<f64>,
+    /// The best plan found.
+    pub plan: Option<Vec<String>>,
+}
+
+impl SolveReport {
+    /// The report of a solver that was stopped before there was a problem to work on.
+    pub fn unread(solver: Solver, limit: impl Into<String>) -> Self {
+        Self {
+            status: Status::Limit.name(),
+            solver: solver.name(),
+            encoding: None,
+            horizon: None,
+            plan: None,
+            cost: None,
+            cost_limit: None,
+            goals: None,
+            unsettled: None,
+            goal_difference: None,
+            bound: None,
+            gap: None,
+            length_proved: None,
+            pairs: None,
+            pairs_complete: None,
+            front: None,
+            pareto: None,
+            pareto_complete: None,
+            lengths: None,
+            limit: Some(limit.into()),
+            #[cfg(feature = "full")]
+            remedy: None,
+            stats: StatsReport::new(solver, &Stats::default()),
+        }
+    }
+
+    /// The report of an outcome.
+    pub fn new(problem: &Problem, outcome: &Outcome) -> Self {
+        let task = problem.task();
+        let pairs = outcome.pairs.as_ref().map(|points| {
+            let point = |point: &crate::solver::ReachablePair| PairReport {
+                adversarial: point.counts.adversarial,
+                cooperative: point.counts.cooperative,
+                plan: point.plan.names(task),
+            };
+            points.iter().map(point).collect()
+        });
+        Self {
+            status: outcome.status.name(),
+            solver: outcome.solver.name(),
+            encoding: outcome.encoding.map(crate::solver::Encoding::name),
+            horizon: outcome.horizon,
+            plan: outcome.plan.as_ref().map(|plan| plan.names(task)),
+            cost: outcome.plan.as_ref().and_then(|plan| plan.cost(task)),
+            cost_limit: outcome.cost_limit,
+            goals: outcome
+                .survivors
+                .as_ref()
+                .map(|sets| ByObserver::new(problem, |i| goal_names(problem, &sets[i]))),
+            unsettled: outcome
+                .unsettled
+                .as_ref()
+                .map(|sets| ByObserver::new(problem, |i| goal_names(problem, &sets[i]))),
+            goal_difference: outcome.goal_difference,
+            bound: outcome.bound,
+            gap: outcome.gap(),
+            length_proved: outcome.length_proved,
+            pairs_complete: (pairs.is_some() && outcome.limit.is_some()).then_some(false),
+            pairs,
+            front: outcome.front().map(|pairs| {
+                let point = |pair: &&crate::solver::ReachablePair| FrontReport {
+                    adversarial: pair.counts.adversarial,
+                    cooperative: pair.counts.cooperative,
+                };
+                pairs.iter().map(point).collect()
+            }),
+            pareto: None,
+            pareto_complete: None,
+            lengths: outcome.lengths.as_ref().map(|points| {
+                points.iter().map(|point| LengthReport::new(problem, point)).collect()
+            }),
+            limit: outcome.limit.map(|limit| limit.to_string()),
+            #[cfg(feature = "full")]
+            remedy: None,
+            stats: StatsReport::new(outcome.solver, &outcome.stats),
+        }
+    }
+}
+
+impl SolveReport {
+    /// The same with the pairs under the name that they had first, `pareto`, and without the front.
+    #[must_use]
+    pub fn with_old_names(self) -> Self {
+        let (pareto, pareto_complete) = (self.pairs, self.pairs_complete);
+        Self { pairs: None, pairs_complete: None, front: None, pareto, pareto_complete, ..self }
+    }
+}
+
+impl LengthReport {
+    fn new(problem: &Problem, point: &LengthPoint) -> Self {
+        let best = point.best.as_ref();
+        Self {
+            length: point.length,
+            adversarial: best.map(|best| best.counts.adversarial),
+            cooperative: best.map(|best| best.counts.cooperative),
+            goal_difference: best.map(|best| problem.goal_difference(best.counts)),
+            plan: best.map(|best| best.plan.names(problem.task())),
+        }
+    }
+}
+
+impl StatsReport {
+    fn new(solver: Solver, stats: &Stats) -> Self {
+        let program = solver == Solver::Ip;
+        let search = matches!(
+            solver,
+            Solver::Search | Solver::Satisficing | Solver::Obfuscate | Solver::Legible
+        );
+        let shown = |count: u64| (count > 0).then_some(count);
+        Self {
+            expansions: (!program).then_some(stats.expansions),
+            generated: (!program).then_some(stats.generated),
+            states: stats.states,
+            beliefs: stats.beliefs,
+            nodes: program.then_some(stats.nodes),
+            iterations: program.then_some(stats.iterations),
+            variables: program.then_some(stats.variables),
+            rows: program.then_some(stats.rows),
+            belief_size: search.then_some(stats.belief_size),
+            walks: shown(stats.walks),
+            walks_found: shown(stats.walks).map(|_| stats.walks_found),
+            settled_by_pairs: shown(stats.settled_by_pairs),
+            settled_by_beliefs: shown(stats.settled_by_beliefs),
+            seconds: None,
+        }
+    }
+}
+
+impl ProgressReport {
+    /// The report of a solver at work.
+    pub fn new(problem: &Problem, progress: &Progress) -> Self {
+        let program = progress.solver == Solver::Ip;
+        Self {
+            solver: progress.solver.name(),
+            unit: if program { "nodes" } else { "expansions" },
+            done: progress.done,
+            horizon: progress.horizon,
+            goal_difference: progress.goal_difference,
+            bound: progress.bound,
+            gap: progress.gap(),
+            plan: progress.plan.as_ref().map(|plan| plan.names(problem.task())),
+        }
+    }
+}
