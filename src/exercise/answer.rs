@@ -137,6 +137,13 @@ impl Form {
     fn values(&self, words: &str) -> (Vec<Value>, bool) {
         let separator = self.choices.first().map_or(",", |choice| choice.separator().trim());
         let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        // PDDL minds no capitals, and its actions are known without their parentheses.
+        let is_pddl =
+            self.choices.first().is_some_and(|choice| choice.to_string().starts_with('('));
+        let plain = |text: &str| match plain(text) {
+            text if is_pddl => text.trim_matches(['(', ')', ' ']).to_lowercase(),
+            text => text,
+        };
         let known: BTreeMap<String, &StateLabel> =
             self.choices.iter().map(|choice| (plain(&choice.to_string()), choice)).collect();
         let texts = words.split(separator).map(plain).filter(|text| !text.is_empty());
@@ -186,7 +193,8 @@ impl Form {
             shown.push_str(self.choices[0].separator());
             shown.push('…');
         }
-        format!("a {} of {shown}", self.choice)
+        let a = if self.choice == "action" { "an" } else { "a" };
+        format!("{a} {} of {shown}", self.choice)
     }
 }
 

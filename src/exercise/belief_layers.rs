@@ -158,23 +158,27 @@ impl BeliefLayers {
     }
 
     /// A walk of as many steps that ends in such a state and whose symbols are those seen for as long as any such walk's.
-    fn other_symbols(&mut self, holds: &dyn Fn(&[u64]) -> bool) -> Option<Counterexample> {
+    /// Where there are too many states to know, that is an error.
+    fn other_symbols(
+        &mut self,
+        holds: &dyn Fn(&[u64]) -> bool,
+    ) -> Result<Option<Counterexample>, Unfit> {
         let steps = self.steps();
         for leaving in (0..steps).rev() {
             let mut beyond: Vec<Layer> = Vec::new();
             let mut from: Vec<StateId> = self.layers[leaving].keys().copied().collect();
             for _ in leaving..steps {
-                let next = self.next(&from, None)?;
+                let next = self.next(&from, None).ok_or_else(Unfit::too_large)?;
                 from = next.keys().copied().collect();
                 beyond.push(next);
             }
             if let Some(end) = from.iter().copied().find(|&state| holds(self.space.words(state))) {
                 let layers: Vec<&Layer> = self.layers[..=leaving].iter().chain(&beyond).collect();
                 let (start, edges) = Self::back(&layers, end);
-                return Some(self.counterexample(start, &edges));
+                return Ok(Some(self.counterexample(start, &edges)));
             }
         }
-        None
+        Ok(None)
     }
 
     /// Whether some walk of as many steps ends in such a state, whatever its symbols.
@@ -238,12 +242,19 @@ impl BeliefLayers {
             return Finding { text, counterexample: Some(shown) };
         }
         let steps = self.steps();
-        let Some(shown) = self.other_symbols(&holds) else {
-            let text = format!(
-                "{what} is not {is} {who}: no walk of {steps} step{} from where the agent may have begun ends there.",
-                if steps == 1 { "" } else { "s" }
-            );
-            return Finding::plain(text);
+        let shown = match self.other_symbols(&holds) {
+            Ok(Some(shown)) => shown,
+            Ok(None) => {
+                let s = if steps == 1 { "" } else { "s" };
+                return Finding::plain(format!(
+                    "{what} is not {is} {who}: no walk of {steps} step{s} from where the agent may have begun ends there."
+                ));
+            }
+            Err(_) => {
+                return Finding::plain(format!(
+                    "{what} is not {is} {who}: no walk that shows it the symbols it was told ends there."
+                ));
+            }
         };
         let step = shown.differs.unwrap_or(steps);
         let sensor = &self.problem.observers()[self.observer].sensor;

@@ -131,6 +131,12 @@ impl Draft {
         self.0["observers"][observer]["initial_belief"] = Value::Array(states);
     }
 
+    /// The cells that an observer's cameras watch.
+    pub(super) fn cameras(&self, observer: &str) -> Vec<Cell> {
+        let cameras = self.0["observers"][observer].get("cameras").and_then(Value::as_array);
+        cameras.map(|cells| cells.iter().filter_map(cell_in).collect()).unwrap_or_default()
+    }
+
     /// Gives an observer one more camera.
     pub(super) fn add_camera(&mut self, observer: &str, cell: Cell) {
         match &mut self.0["observers"][observer]["cameras"] {

@@ -21,8 +21,11 @@ use crate::domain::Document;
 use crate::domain::grid::Cell;
 use crate::problem::Problem;
 
-/// How many variants are drawn for a seed before there is none.
+/// How many variants are drawn for a seed that an author's check looks at.
 pub(super) const MAX_TRIES: u32 = 500;
+
+/// How many are drawn for a student before there is none: where each seed of the check had one, as good as none is without.
+const PATIENT_TRIES: u32 = 10 * MAX_TRIES;
 
 /// Seeds of names are below this, so that they can be read out.
 const MOST_SEEDS: u64 = 1_000_000;
@@ -194,7 +197,7 @@ pub(super) fn draw(block: &Block, original: &Variant, seed: u64) -> Result<Varia
     if seed == 0 || block.vary.is_empty() {
         return Ok(Variant { seed, ..original.clone() });
     }
-    let (variant, tries) = draw_within(block, original, seed, MAX_TRIES);
+    let (variant, tries) = draw_within(block, original, seed, PATIENT_TRIES);
     variant.ok_or(ExerciseError::NoVariant { seed, tries })
 }
 

@@ -245,7 +245,7 @@ fn a_table_without_codes_is_refused_with_its_line() {
     let ran = graded("without", "name,answer\nAda,G1\n", &[]);
     assert_eq!(
         (ran.code, &ran.err[..]),
-        (2, "mo-copp: -:1:1: found \"name,answer\", expected a column code\n")
+        (2, "mo-copp: -:1:1: found \"name,answer\", expected a column code, or its name after --code\n")
     );
     let ran = graded("column", "code,seed\nX,7\n", &["--student", "name"]);
     assert_eq!(ran.code, 2);
@@ -472,4 +472,32 @@ fn what_is_no_code_is_not_called_the_same_and_more_attempts_than_there_are_are_r
     let table = format!("code\n{}\n", document.code(&variant, variant.solution(), tally));
     let ran = mo_copp(&table, &["grade", exercise.to_str().unwrap(), "-"]);
     assert_eq!(rows(&ran.out)[0]["reason"], "the code tells of 1 hint, the exercise has 0");
+}
+
+/// As Moodle exports the answers of a quiz: no column is called code, and one has them.
+#[test]
+fn codes_are_found_in_the_only_column_that_has_any_or_in_the_one_that_is_named() {
+    let exercise = mo_copp::exercise::Exercise::parse(&text(GOALS)).unwrap();
+    let code = |seed| {
+        let variant = exercise.variant(seed).unwrap();
+        exercise.code(&variant, variant.solution(), mo_copp::exercise::Tally::default())
+    };
+    let document = file("moodle.json", &text(GOALS));
+    let document = document.to_str().unwrap();
+    let table = format!(
+        "Surname,\"First name\",Status,\"Response 1\"\nLovelace,Ada,Finished,{}\nTuring,Alan,Finished,-\n",
+        code(3)
+    );
+    let ran = mo_copp(&table, &["grade", document, "-"]);
+    let reasons: Vec<_> = rows(&ran.out).iter().map(|row| row["reason"].clone()).collect();
+    assert_eq!(reasons, ["", "no answer"], "{}", ran.err);
+    // Two columns have codes: which of them is meant, nothing says.
+    let both = format!("first,second\n{},{}\n", code(3), code(4));
+    let ran = mo_copp(&both, &["grade", document, "-"]);
+    assert_eq!(ran.code, 2);
+    assert!(ran.err.contains("expected a column code, or its name after --code"), "{}", ran.err);
+    let ran = mo_copp(&both, &["grade", document, "-", "--code", "second"]);
+    assert_eq!(rows(&ran.out)[0]["seed"], "4");
+    let ran = mo_copp(&both, &["grade", document, "-", "--code", "third"]);
+    assert!(ran.err.contains("expected a column third"), "{}", ran.err);
 }

@@ -155,7 +155,7 @@ fn a_placement_says_why_it_does_not_do() {
     let says = |cell: &str| verdict(variant, cell).reason().to_owned();
     assert_eq!(says("[3, 4]"), "The wall can't be placed in column 3, row 4: the start is there.");
     assert!(says("[3, 3]").starts_with(
-        "The wall can't be placed in column 3, row 3: the walk fails: step 1: found north"
+        "The wall can't be placed in column 3, row 3: the walk could not go on at step 1, north,"
     ));
     let idle = says("[0, 0]");
     assert!(
@@ -164,6 +164,90 @@ fn a_placement_says_why_it_does_not_do() {
         ),
         "{idle}"
     );
+}
+
+/// Box pushing on so large a floor that 30 steps lead to more states than are looked through: what is not looked through is
+/// not denied. A walk into G2 is there: 18 steps at rest, and the 12 of `around`.
+#[test]
+fn walks_that_are_too_many_to_look_through_are_not_denied() {
+    let sensor =
+        serde_json::json!({"move-forward": "f", "stay": "s", "turn-left": "l", "turn-right": "r"});
+    let plan = [vec!["move-forward"; 5], vec!["stay"; 25]].concat();
+    let document = serde_json::json!({
+        "format": "box-pushing", "width": 10, "height": 10,
+        "start": {"robot": [5, 6], "facing": "north", "box": [5, 5]},
+        "goals": [
+            {"name": "G1", "cell": [5, 0]}, {"name": "G2", "cell": [5, 9]}, {"name": "G3", "cell": [0, 1]}
+        ],
+        "true_goal": "G1",
+        "observers": {"adversarial": {"sensor": sensor}, "cooperative": {"sensor": sensor}},
+        "exercise": {"kind": "possible-goals", "observer": "adversarial", "plan": plan}
+    });
+    let exercise = Exercise::parse(&document.to_string()).unwrap();
+    let (f, l, r) = ("move-forward", "turn-left", "turn-right");
+    let around = [vec!["stay"; 18], vec![l, f, r, f, f, r, f, r, f, f, f, f]].concat();
+    let problem = exercise.original().problem();
+    let replay =
+        mo_copp::trace::trace(problem, &Plan::from_names(problem.task(), &around).unwrap());
+    let end = replay.unwrap().steps.last().unwrap().state.clone();
+    assert!(problem.task().satisfies(end.words(), &problem.goals()[1].condition));
+    assert_eq!(
+        verdict(exercise.original(), "G1,G2").reason(),
+        "G2 is not possible for the enemy: no walk that shows it the symbols it was told ends there."
+    );
+}
+
+/// A wall on a wall and a camera on a camera change nothing, whatever the question.
+#[test]
+fn nothing_is_placed_where_something_of_its_kind_is() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/problems/parity.json");
+    let parity = std::fs::read_to_string(path).unwrap();
+    let place = |place: &str| {
+        let mut document: serde_json::Value = serde_json::from_str(&parity).unwrap();
+        document["exercise"] = serde_json::json!({
+            "kind": "placement", "observer": "adversarial", "plan": ["south", "south"],
+            "place": place, "goal": "G2", "possible": false
+        });
+        document.to_string()
+    };
+    let said = |text: &str, answer: &str| {
+        verdict(Exercise::parse(text).unwrap().original(), answer).reason().to_owned()
+    };
+    assert_eq!(
+        said(&place("wall"), "column 2, row 1"),
+        "The wall can't be placed in column 2, row 1: a wall is there."
+    );
+    assert_eq!(
+        said(&place("camera"), "column 2, row 1"),
+        "The camera can't be placed in column 2, row 1: a wall is there."
+    );
+    let mut watched: serde_json::Value = serde_json::from_str(&place("camera")).unwrap();
+    watched["observers"]["adversarial"]["cameras"] = serde_json::json!([[6, 0]]);
+    assert_eq!(
+        said(&watched.to_string(), "column 6, row 0"),
+        "The camera can't be placed in column 6, row 0: a camera is there."
+    );
+    assert_eq!(
+        said(&place("wall"), "column 3, row 3"),
+        "The wall can't be placed in column 3, row 3: the walk could not go on at step 1, south, from column 3, row 2: \
+         it leads nowhere from there."
+    );
+}
+
+/// PDDL minds no capitals, and the page shows its actions without parentheses.
+#[test]
+fn actions_of_pddl_are_read_as_people_write_them() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/blocksworld.json");
+    let mut document: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    document["exercise"] = serde_json::json!({"kind": "walk", "at_most": 30});
+    let exercise = Exercise::parse(&document.to_string()).unwrap();
+    let form = exercise.original().form();
+    let answer = form.read("(unstack d e), (put-down d)").unwrap();
+    assert_eq!(form.read("unstack d e,put-down d").unwrap(), answer);
+    assert_eq!(form.read("(UNSTACK D E), Put-Down d").unwrap(), answer);
+    let wrong = form.read("(unstack d z)").unwrap_err().to_string();
+    assert!(wrong.contains("expected an action of"), "{wrong}");
 }
 
 #[test]

@@ -134,9 +134,24 @@ test("variants that no student gets are refused, and such as are all the same ar
     await page.getByLabel("the walk").check();
     for (let presses = 0; presses < 2; presses += 1) {
       await press(page, "Try it as a student");
-      await page.getByText("Some students would get no question: none of 4 seeds drawn has a variant.").waitFor();
+      await page
+        .getByText(
+          "Some students would get no question: none of 4 seeds drawn has a variant. Let something else be other for each student, or nothing.",
+        )
+        .waitFor();
       assert.equal(await page.locator(".exercise").count(), 0);
     }
+  }));
+
+test("where few problems drawn have a question, it is said what helps", () =>
+  opened({ tab: "Exercise" }, async (page) => {
+    await page.getByLabel("Kind of question").selectOption("belief");
+    for (const name of ["the start", "the walls"]) await page.getByLabel(name).check();
+    await press(page, "Try it as a student");
+    await page.getByText(/no question: .+ The walk is the same for all, .+: let the walk be other, too\.$/).waitFor();
+    await page.getByLabel("the walk").check();
+    await press(page, "Try it as a student");
+    await page.locator('.exercise[data-kind="belief"]').waitFor();
   }));
 
 test("where a student would choose among many states, it is said once, with what helps", () =>

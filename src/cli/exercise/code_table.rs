@@ -1,12 +1,17 @@
 //! Tables of answer codes, as spreadsheets and course systems save them: their encoding, their separator, their columns.
 
+use std::collections::BTreeSet;
+
+use mo_copp::exercise::code::is_whole;
+
+use super::cell::Cell;
 use super::encoding::{decode, named_separator, printable};
 use super::records::{Record, Records, Wanted};
 
 /// What may stand between two fields.
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 
-/// A table whose first line names its columns, one of which is `code`.
+/// A table whose first line names its columns, one of which holds the codes.
 #[derive(Debug)]
 pub struct CodeTable {
     /// The sign between two fields.
@@ -33,12 +38,13 @@ pub struct Row {
 }
 
 impl CodeTable {
-    /// Reads a table.
+    /// Reads a table. The codes are in the column of the name that is given; without one, in that called `code`, else in the
+    /// only one that has any.
     ///
     /// # Errors
     ///
-    /// The line and what is wrong with it, where no column is called `code`, or where two have a name that is looked for.
-    pub fn read(bytes: &[u8]) -> Result<Self, (u64, String)> {
+    /// The line and what is wrong with it, where there is no such column, or where two have a name that is looked for.
+    pub fn read(bytes: &[u8], named_code: Option<&str>) -> Result<Self, (u64, String)> {
         let text = decode(bytes);
         let named = named_separator(&text);
         let (text, lines_before) = named.map_or((&*text, 0), |(_, after)| (after, 1));
@@ -46,24 +52,44 @@ impl CodeTable {
             Some((separator, _)) => vec![separator],
             None => SEPARATORS.to_vec(),
         };
+        let wanted = named_code.unwrap_or("code");
         let mut wrong = None;
-        for separator in separators {
+        for &separator in &separators {
             let mut records = Records::new(text, separator).after(lines_before);
-            let head: Vec<String> =
-                records.next().map_or_else(Vec::new, |record| shown(&record.fields));
-            let Some(code) = column(&head, "code")? else {
-                // What is said is how the table looks with the separator that it is most likely to have.
-                let most = wrong.as_ref().is_none_or(|seen: &Vec<String>| head.len() > seen.len());
-                wrong = if most { Some(head) } else { wrong };
-                continue;
-            };
-            let seed = column(&head, "seed")?;
-            let records = records.with_rows(Wanted { columns: head.len(), code });
-            let rows = records.map(|record| row(record, &head, code, separator)).collect();
-            return Ok(Self { separator, head, rows, code, seed });
+            let head = head_of(&mut records);
+            if let Some(code) = column(&head, wanted)? {
+                return Self::with_codes_in(code, head, records, separator);
+            }
+            // What is said is how the table looks with the separator that it is most likely to have.
+            let most = wrong.as_ref().is_none_or(|seen: &Vec<String>| head.len() > seen.len());
+            wrong = if most { Some(head) } else { wrong };
+        }
+        for separator in separators.into_iter().filter(|_| named_code.is_none()) {
+            let records = || Records::new(text, separator).after(lines_before);
+            if let Some(code) = column_with_codes(records()) {
+                let mut records = records();
+                let head = head_of(&mut records);
+                return Self::with_codes_in(code, head, records, separator);
+            }
         }
         let found = wrong.unwrap_or_default().join(",");
-        Err((lines_before + 1, format!("found {found:?}, expected a column code")))
+        let expected = match named_code {
+            Some(name) => format!("a column {name}"),
+            None => "a column code, or its name after --code".to_owned(),
+        };
+        Err((lines_before + 1, format!("found {found:?}, expected {expected}")))
+    }
+
+    fn with_codes_in(
+        code: usize,
+        head: Vec<String>,
+        records: Records<'_>,
+        separator: u8,
+    ) -> Result<Self, (u64, String)> {
+        let seed = column(&head, "seed")?;
+        let records = records.with_rows(Wanted { columns: head.len(), code });
+        let rows = records.map(|record| row(record, &head, code, separator)).collect();
+        Ok(Self { separator, head, rows, code, seed })
     }
 
     /// The column of a name.
@@ -94,6 +120,24 @@ impl CodeTable {
         let wrong = |_| format!("found the seed {text:?}, expected a whole number or nothing");
         text.parse().map(Some).map_err(wrong)
     }
+}
+
+/// The names of the columns.
+fn head_of(records: &mut Records<'_>) -> Vec<String> {
+    records.next().map_or_else(Vec::new, |record| shown(&record.fields))
+}
+
+/// The only column in which a code stands.
+fn column_with_codes(mut records: Records<'_>) -> Option<usize> {
+    let mut columns = BTreeSet::new();
+    let width = head_of(&mut records).len();
+    for record in records {
+        let fields = record.fields.iter().enumerate().take(width);
+        let has_code =
+            |field: &String| matches!(Cell::read(field), Cell::Code(code) if is_whole(&code));
+        columns.extend(fields.filter(|(_, field)| has_code(field)).map(|(place, _)| place));
+    }
+    columns.pop_first().filter(|_| columns.is_empty())
 }
 
 /// Fields as they are printed.
@@ -151,7 +195,7 @@ mod tests {
     use super::*;
 
     fn fields(bytes: &[u8]) -> Vec<Vec<String>> {
-        CodeTable::read(bytes).unwrap().rows.into_iter().map(|row| row.fields).collect()
+        CodeTable::read(bytes, None).unwrap().rows.into_iter().map(|row| row.fields).collect()
     }
 
     #[test]
@@ -174,6 +218,7 @@ mod tests {
     fn rows_of_other_lengths_are_kept_and_told() {
         let table = CodeTable::read(
             b"name,code,note\nAda,X\nAlan,Y,,\nLovelace, Ada,Z,\nBob\nCleo, A,X,hm\n",
+            None,
         )
         .unwrap();
         let broken: Vec<Option<&str>> =
@@ -196,7 +241,7 @@ mod tests {
     #[test]
     fn a_quotation_mark_that_is_not_closed_breaks_one_row() {
         let broken = |text: &str| -> Vec<(u64, Vec<String>, bool)> {
-            let rows = CodeTable::read(text.as_bytes()).unwrap().rows;
+            let rows = CodeTable::read(text.as_bytes(), None).unwrap().rows;
             rows.into_iter().map(|row| (row.line, row.fields, row.broken.is_some())).collect()
         };
         let row =
@@ -227,9 +272,13 @@ mod tests {
     #[test]
     fn a_table_without_codes_is_told_by_its_head() {
         assert_eq!(
-            CodeTable::read(b"name;answer\n").unwrap_err(),
-            (1, "found \"name,answer\", expected a column code".to_owned())
+            CodeTable::read(b"name;answer\n", None).unwrap_err(),
+            (
+                1,
+                "found \"name,answer\", expected a column code, or its name after --code"
+                    .to_owned()
+            )
         );
-        assert_eq!(CodeTable::read(b"").unwrap_err().0, 1);
+        assert_eq!(CodeTable::read(b"", None).unwrap_err().0, 1);
     }
 }

@@ -21,7 +21,8 @@ pub fn run(args: &GradeArgs) -> Result<u8, CliError> {
         file: format!("{}:{line}:1", args.codes.display()),
         reason,
     };
-    let table = CodeTable::read(&input::bytes(&args.codes)?).map_err(place)?;
+    let table =
+        CodeTable::read(&input::bytes(&args.codes)?, args.code.as_deref()).map_err(place)?;
     let student =
         args.student.as_deref().map(|name| table.column(name)).transpose().map_err(place)?;
     let mut writer = csv::WriterBuilder::new().delimiter(table.separator).from_writer(Vec::new());

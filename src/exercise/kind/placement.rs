@@ -13,6 +13,7 @@ use crate::exercise::edit::{BOX, Draft};
 use crate::exercise::subject::Subject;
 use crate::exercise::verdict::{Finding, Verdict};
 use crate::exercise::{Difficulty, Unfit};
+use crate::plan::PlanError;
 use crate::problem::{Problem, StateLabel};
 
 /// What is placed.
@@ -78,7 +79,13 @@ impl Placement {
     /// The problem with something placed in a cell; the words say why there is none.
     fn placed(&self, subject: &Subject, cell: [u32; 2]) -> Result<Subject, String> {
         let mut draft = Draft::new(&subject.document);
+        if draft.walls().contains(&cell) {
+            return Err("a wall is there".to_owned());
+        }
         match self.place {
+            Place::Camera if draft.cameras(&self.watching.observer).contains(&cell) => {
+                return Err("a camera is there".to_owned());
+            }
             Place::Camera => draft.add_camera(&self.watching.observer, cell),
             Place::Start => draft.set_start(cell),
             Place::Wall => {
@@ -97,9 +104,6 @@ impl Placement {
     /// Why nothing can be placed in a cell, in the terms of the board.
     fn refusal(&self, subject: &Subject, cell: [u32; 2], error: &DocumentError) -> String {
         let draft = Draft::new(&subject.document);
-        if draft.walls().contains(&cell) {
-            return "a wall is there".to_owned();
-        }
         if self.place == Place::Wall && draft.start() == Some(cell) {
             return "the start is there".to_owned();
         }
@@ -145,6 +149,16 @@ impl Placement {
             return Err(Unfit::too_large());
         }
         Ok((0..height).flat_map(|row| (0..width).map(move |column| [column, row])).collect())
+    }
+}
+
+/// Why a walk cannot be walked to its end.
+fn ends_early(error: &PlanError) -> String {
+    match error {
+        PlanError::NotApplicable { step, action, state, reason } => {
+            format!("the walk could not go on at step {step}, {action}, from {state}: {reason}")
+        }
+        other => other.to_string(),
     }
 }
 
@@ -207,6 +221,9 @@ impl Question for Placement {
             Ok(placed) => placed,
             Err(why) => return fails(&why),
         };
+        if let Err(error) = self.watching.execute(&placed.problem) {
+            return fails(&ends_early(&error));
+        }
         let mut layers = match self.watching.layers(&placed) {
             Ok(layers) => layers,
             Err(unfit) => return fails(&unfit.to_string()),

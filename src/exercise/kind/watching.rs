@@ -7,7 +7,7 @@ use crate::document::reader::{Fields, Reader};
 use crate::exercise::Unfit;
 use crate::exercise::belief_layers::{BeliefLayers, called};
 use crate::exercise::subject::Subject;
-use crate::plan::Plan;
+use crate::plan::{Plan, PlanError};
 use crate::problem::Problem;
 
 /// The most steps of a walk in a question.
@@ -38,12 +38,16 @@ impl Watching {
 
     /// The walk must be one of the problem.
     pub(super) fn refer(&self, problem: &Problem) -> Result<(), DocumentError> {
-        let plan = Plan::from_names(problem.task(), &self.plan);
-        let label = |words: &[u64]| problem.label(words).to_string();
-        let done = plan.and_then(|plan| crate::plan::execute(problem.task(), &plan, label));
-        done.map(|_| ()).map_err(|error| {
+        self.execute(problem).map_err(|error| {
             DocumentError::invalid("exercise.plan", error.to_string(), "a walk of the problem")
         })
+    }
+
+    /// Whether the walk can be walked to its end.
+    pub(super) fn execute(&self, problem: &Problem) -> Result<(), PlanError> {
+        let plan = Plan::from_names(problem.task(), &self.plan)?;
+        let label = |words: &[u64]| problem.label(words).to_string();
+        crate::plan::execute(problem.task(), &plan, label).map(|_| ())
     }
 
     /// The observer's position. Documents have both observers.

@@ -37,8 +37,8 @@ function objection(playground: AuthorPanelStores): string {
   const { fields, objection } = playground.exerciseDraft;
   const said = objection.value;
   if (said === null || said.text !== documentOf(playground)) return "";
-  const { difference, atMost, attempts } = fields.value;
-  return objectionWords(said, { goal_difference: difference, at_most: atMost, attempts });
+  const { difference, atMost, attempts, kind } = fields.value;
+  return objectionWords(said, { goal_difference: difference, at_most: atMost, attempts }, kind);
 }
 
 /** The document with its exercise; null while there is none. */

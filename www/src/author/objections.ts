@@ -1,6 +1,7 @@
 // Why an exercise is not handed out, in the words of the form that makes it.
 import type { Proof } from "../state/exercise.js";
 import type { Objection } from "../state/exercise-draft.js";
+import { asksAboutWalk, type Kind } from "../state/exercise-subject.js";
 import { wholeNumber } from "../view/numbers.js";
 
 /** The fields of the form by the keys of the block. */
@@ -48,12 +49,13 @@ const crowded = (states: number): string =>
 export const isSound = ({ fault, remarks, variants, states }: Proof): boolean =>
   fault === null && remarks.length === 0 && variants.length === 0 && states <= MOST_STATES;
 
-/** `typed`: what stands in fields for numbers, by the keys of the block. */
+/** `typed`: what stands in fields for numbers, by the keys of the block; `kind`: that of the question. */
 export function objectionWords(
   { fault, remarks, variants, states }: Pick<Objection, "fault" | "remarks" | "variants" | "states">,
-  typed: Readonly<Record<string, string | null>> = {},
+  typed: Readonly<Record<string, string | null>>,
+  kind: Kind,
 ): string {
-  if (fault !== null) return faultWords(fault, typed);
+  if (fault !== null) return faultWords(fault, typed, kind);
   const said = [
     ...(remarks.length === 0 ? [] : [`This question is trivial: ${remarks.join("; ")}.`]),
     ...(variants.length === 0 ? [] : [`Of what is other for each student: ${variants.join("; ")}.`]),
@@ -62,18 +64,27 @@ export function objectionWords(
   return said.length === 0 ? "" : [...said, again].join(" ");
 }
 
+/** What helps where few problems drawn have a question. */
+function rarely(kind: Kind, vary: readonly string[]): string {
+  if (asksAboutWalk(kind) && !vary.includes("plan"))
+    return "The walk is the same for all, and few problems have room for it: let the walk be other, too.";
+  const easier = kind === "walk" ? "Ask for a smaller goal difference or for more steps, or let" : "Let";
+  return `${easier} ${vary.length > 1 ? "less" : "something else"} be other for each student, or nothing.`;
+}
+
 function faultWords(
   { message, path, found, expected }: NonNullable<Objection["fault"]>,
   typed: Readonly<Record<string, string | null>>,
+  kind: Kind,
 ): string {
   const [block, key] = /^exercise(?:\.(\w+))?/.exec(path ?? "") ?? [];
   if (block === undefined || found === undefined || expected === undefined) return message;
   const trivial = /^a question of which (.+)$/.exec(found)?.[1];
   if (trivial !== undefined)
     return `A trivial question cannot be other for each student: ${trivial}. Make it harder, or let nothing be other.`;
-  const drawn = /, where (.+ seeds? drawn .+)$/.exec(found)?.[1];
-  if (drawn !== undefined)
-    return `Some students would get no question: ${drawn}. Let something else be other for each student, or nothing.`;
+  const [, vary, drawn] = /^(.+), where (.+ seeds? drawn .+)$/.exec(found) ?? [];
+  if (vary !== undefined && drawn !== undefined)
+    return `Some students would get no question: ${drawn}. ${rarely(kind, vary.split(", "))}`;
   if (key === undefined) return reasonWords(found);
   if (key === "goal_difference" && found === "nothing")
     return "Say which goal difference the walk must have at least, or how many steps at most.";
