@@ -35,14 +35,21 @@ pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
     Ok(0)
 }
 
-/// Programs go by the end of a name: SVG under another one is a file that none of them opens.
+/// Programs go by the end of a name: SVG under another one is a file that none of them opens. A name without an end says
+/// nothing else.
 fn named_as_svg(file: &Path) -> Result<(), CliError> {
-    let end = file.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
-    let Some(others) = programs_for(&end) else {
+    let Some(end) = file.extension().map(|end| end.to_string_lossy().to_lowercase()) else {
         return Ok(());
     };
+    if end == "svg" {
+        return Ok(());
+    }
     let svg = file.with_extension("svg");
-    let expected = format!("the name of an SVG file, as {:?}, {others}", svg.display().to_string());
+    let svg = svg.display().to_string();
+    let expected = match programs_for(&end) {
+        Some(others) => format!("the name of an SVG file, as {svg:?}, {others}"),
+        None => format!("the name of an SVG file, as {svg:?}: no other format is written"),
+    };
     Err(OptionsError::new("out", format!("{:?}", file.display().to_string()), expected).into())
 }
 
@@ -53,10 +60,10 @@ fn programs_for(end: &str) -> Option<String> {
         "png" | "pdf" | "eps" => Some(format!(
             "of which other programs make {format}: rsvg-convert --zoom 2, or inkscape"
         )),
-        "gif" => {
-            Some("which moves in a browser with --animate; this program makes no GIF".to_owned())
+        "gif" | "apng" | "mp4" | "webm" | "mov" | "avi" | "mkv" | "ogv" => {
+            Some(format!("which moves in a browser with --animate; this program makes no {format}"))
         }
-        "jpg" | "jpeg" | "webp" | "avif" | "bmp" => Some(format!(
+        "jpg" | "jpeg" | "webp" | "avif" | "bmp" | "tif" | "tiff" => Some(format!(
             "of which other programs make {format}: ImageMagick (magick), from a PNG by rsvg-convert --zoom 2"
         )),
         _ => None,

@@ -19,7 +19,7 @@ fn a_file_is_what_its_name_says() {
         (ran.code, ran.err, fs::read_to_string(path).ok())
     };
     let printed = mo_copp(&corridor(), &["picture", "-"]).out;
-    for name in ["picture.svg", "picture.SVG", "picture-without-end", "picture.v2"] {
+    for name in ["picture.svg", "picture.SVG", "picture-without-end", ".picture"] {
         let (code, err, text) = drawn(name);
         assert_eq!((code, err.as_str(), text.as_deref()), (0, "", Some(&*printed)), "{name}");
     }
@@ -28,6 +28,12 @@ fn a_file_is_what_its_name_says() {
         ("picture.Pdf", "of which other programs make PDF: rsvg-convert"),
         ("picture.webp", "of which other programs make WEBP: ImageMagick"),
         ("picture.gif", "which moves in a browser with --animate; this program makes no GIF"),
+        ("picture.mp4", "which moves in a browser with --animate; this program makes no MP4"),
+        ("picture.WebM", "which moves in a browser with --animate; this program makes no WEBM"),
+        ("picture.tiff", "of which other programs make TIFF: ImageMagick"),
+        ("picture.html", "picture.svg\": no other format is written"),
+        ("picture.svgz", "picture.svg\": no other format is written"),
+        ("picture.v2", "picture.svg\": no other format is written"),
     ] {
         let (code, err, text) = drawn(name);
         assert_eq!((code, text), (2, None), "{name}");
@@ -37,6 +43,25 @@ fn a_file_is_what_its_name_says() {
         );
         assert!(err.contains(words), "{err}");
     }
+}
+
+#[test]
+fn an_animation_goes_by_the_name_of_its_file_as_well() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    for (name, code) in [("walk.svg", 0), ("walk", 0), ("walk.mp4", 2), ("walk.png", 2)] {
+        let path = folder.join(name);
+        let _ = fs::remove_file(&path);
+        let args = ["picture", "-", "--plan", "east", "--animate", "-o", path.to_str().unwrap()];
+        let ran = mo_copp(&corridor(), &args);
+        assert_eq!((ran.code, path.exists()), (code, code == 0), "{name}: {}", ran.err);
+    }
+}
+
+#[test]
+fn a_step_beyond_the_last_is_refused() {
+    let ran = mo_copp(&corridor(), &["picture", "-", "--plan", "east", "--step", "2"]);
+    assert_eq!((ran.code, ran.out.as_str()), (2, ""));
+    assert!(ran.err.contains("step: found 2, expected a whole number from 0 to 1"), "{}", ran.err);
 }
 
 #[test]
