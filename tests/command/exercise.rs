@@ -245,7 +245,10 @@ fn a_table_without_codes_is_refused_with_its_line() {
     let ran = graded("without", "name,answer\nAda,G1\n", &[]);
     assert_eq!(
         (ran.code, &ran.err[..]),
-        (2, "mo-copp: -:1:1: found \"name,answer\", expected a column code, or its name after --code\n")
+        (
+            2,
+            "mo-copp: -:1:1: found \"name,answer\", expected a column code, or its name after --code\n"
+        )
     );
     let ran = graded("column", "code,seed\nX,7\n", &["--student", "name"]);
     assert_eq!(ran.code, 2);
