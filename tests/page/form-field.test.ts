@@ -75,6 +75,50 @@ test("the element has what fields have, and a required answer is missing until o
   });
 });
 
+test("disabled is on by being there, and “false”, as frameworks write it, takes it away", async () => {
+  const host = await startHost();
+  host.own.set("favicon.ico", { body: "" });
+  host.own.set("goals.json", { body: exerciseText("01-possible-goals") });
+  const field = (id: string, disabled: string) =>
+    `<mo-copp-playground id="${id}" src="goals.json" seed="7" link="off" name="${id}" ${disabled}></mo-copp-playground>`;
+  host.own.set("page.html", {
+    body: `<!doctype html><html lang="en"><title>Course</title><script type="module" src="mo-copp-playground.js"></script>
+      <main><form>${field("no", 'disabled="false"')}${field("yes", "disabled")}${field("true", 'disabled="true"')}
+      <fieldset disabled>${field("inside", 'disabled="false"')}</fieldset></form></main>`,
+  });
+  await visit(async ({ page }) => {
+    await page.goto(`${host.address}page.html`);
+    await page.locator("#inside .choices input").first().waitFor();
+    await page.locator("#no .choices input").first().waitFor();
+    const state = (id: string) =>
+      page.locator(`#${id}`).evaluate((node) => {
+        const { disabled, willValidate, shadowRoot } = node as MoCoppPlayground & { disabled: boolean };
+        const controls = shadowRoot?.querySelector(".exercise .whole")?.matches(":disabled");
+        return { disabled, native: node.matches(":disabled"), willValidate, controls };
+      });
+    const on = { disabled: true, native: true, willValidate: false, controls: true };
+    const off = { disabled: false, native: false, willValidate: true, controls: false };
+    assert.deepEqual(await state("no"), off, "false");
+    assert.deepEqual(await state("yes"), on, "without a value");
+    assert.deepEqual(await state("true"), on, "true");
+    assert.deepEqual(await state("inside"), { ...on, disabled: false }, "of a field set that is disabled");
+    const set = (value: string | null) =>
+      page.locator("#no").evaluate((node, value) => {
+        if (value === null) node.removeAttribute("disabled");
+        else node.setAttribute("disabled", value);
+      }, value);
+    const steps: [value: string | null, state: object][] = [
+      ...[["", on] as [string, object], ["false", off] as [string, object], ["disabled", on] as [string, object]],
+      [null, off],
+    ];
+    for (const [value, expected] of steps) {
+      await set(value);
+      await page.locator(`#no .exercise .whole${expected === on ? ":disabled" : ":enabled"}`).waitFor();
+      assert.deepEqual(await state("no"), expected, String(value));
+    }
+  });
+});
+
 test("while a question is shown, no script solves, draws or walks through the problem that was open before", () =>
   visit(async ({ page }) => {
     await page.locator("mo-copp-playground[data-status=optimal]").waitFor();

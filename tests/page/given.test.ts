@@ -223,3 +223,60 @@ test("document and state as attributes are said, and an attribute that says “f
     await lesson(page, `problem="corridor" watch`);
     await ready(page, '[data-step="0"]');
   }));
+
+test("a plan, a step or a bound that is set while a state is on its way, or after, leaves the state’s other options", () =>
+  visit(async ({ page }) => {
+    const form = { solver: "search", k: "1", j: "2" };
+    const state = { document: grid({ width: 6 }), form, answered: true, step: 1 };
+    const plan = ["north", "north", "east"];
+    const told = async () => {
+      const { form, plan, step } = await page
+        .locator("#one")
+        .evaluate((one) => (one as MoCoppPlayground).state as NonNullable<MoCoppPlayground["state"]>);
+      return { form, plan, step };
+    };
+    // Attributes of long ago are not the state's.
+    const begin = () => lesson(page, `problem="corridor" k="2" step="3" solver="exact"`).then(() => ready(page));
+    await begin();
+    await give(page, [["state", state]]);
+    const { plan: own, ...alone } = await told();
+    assert.deepEqual(alone, { form, step: 1 }, "a state alone");
+    for (const [name, given] of Object.entries({
+      "the property": [
+        ["state", state],
+        ["plan", plan],
+      ],
+      "the attribute": [
+        ["state", state],
+        ["@plan", plan.join()],
+      ],
+      "before the state": [
+        ["plan", plan],
+        ["state", state],
+      ],
+    } as const)) {
+      await begin();
+      await give(page, given);
+      assert.deepEqual(await told(), { form, plan, step: 3 }, name);
+    }
+    await cells(page, 18);
+    await begin();
+    await give(page, [
+      ["state", state],
+      ["plan", plan],
+      ["step", 2],
+    ]);
+    assert.deepEqual(await told(), { form, plan, step: 2 }, "a plan and a step");
+    // In turns of their own.
+    await begin();
+    await give(page, [["state", state]]);
+    await give(page, [["plan", plan]]);
+    assert.deepEqual(await told(), { form, plan, step: 3 }, "a plan once the state is there");
+    await give(page, [["horizon", 9]]);
+    assert.deepEqual((await told()).form, { ...form, horizon: "9" }, "a bound");
+    await give(page, [["document", grid()]]);
+    await give(page, [["plan", ["north"]]]);
+    assert.deepEqual((await told()).plan, ["north"], "another document");
+    await cells(page, 12);
+    assert(own !== undefined && own.length > 0, "the solver has found a plan");
+  }));

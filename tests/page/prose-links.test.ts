@@ -202,7 +202,7 @@ test("a number field takes a step as it may be typed, and left with another numb
     await ready(page, '[data-step="16"]');
     await field.fill("1e1");
     await ready(page, '[data-step="10"]');
-    for (const typed of ["-5", "", "1.5", "999"]) {
+    for (const typed of ["-5", "", "1.5"]) {
       await field.fill(typed);
       assert.equal(await field.inputValue(), typed);
       await field.press("Tab");

@@ -29,3 +29,6 @@ export const no = "false";
 /** Whether an attribute without a value is there; a framework that writes the values of others says `false` for no. */
 export const isOn = (element: Element, name: string): boolean =>
   element.hasAttribute(name) && element.getAttribute(name) !== no;
+
+/** Whether a text names a step; one beyond the last is the last. */
+export const isStep = (text: string): boolean => /^\s*\d+\s*$/.test(text);

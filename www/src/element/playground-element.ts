@@ -5,7 +5,8 @@ import type { ProblemDocument } from "../problem/types.js";
 import type { SharedState } from "../share/shared-state.js";
 import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
-import { followed, isOn, propertiesAlone } from "./attributes.js";
+import { type Asked, count, overtakenBy } from "./asked.js";
+import { followed, isOn, no, propertiesAlone } from "./attributes.js";
 import { validate } from "./form-field.js";
 import type { Wanted } from "./given.js";
 import { parsed, textOf } from "./parsed.js";
@@ -28,7 +29,7 @@ export abstract class PlaygroundElement extends Base {
   static readonly formAssociated = true;
 
   static get observedAttributes(): string[] {
-    return [...followed, ...propertiesAlone, "required"];
+    return [...followed, ...propertiesAlone, "required", "disabled"];
   }
 
   /** Settles once the first picture is drawn, or cannot be. */
@@ -49,6 +50,8 @@ export abstract class PlaygroundElement extends Base {
   /** The code that a form sends; null where there is none. */
   #code: string | null = null;
   #isDisabled = false;
+  /** What was asked for until now. */
+  readonly #asked: Asked = { problems: 0, questions: 0 };
 
   constructor() {
     super();
@@ -83,8 +86,11 @@ export abstract class PlaygroundElement extends Base {
     if (value === null || value === undefined) return;
     const given = textOf("document", value);
     if ("fault" in given) this.#refuse(given.fault);
-    else if (this.#view === null) Object.assign(this.#wanted, { document: given.text, state: null, fault: null });
-    else void this.#view.openDocument(given.text);
+    else {
+      this.#asked.problems += 1;
+      if (this.#view === null) Object.assign(this.#wanted, { document: given.text, state: null, fault: null });
+      else void this.#view.openDocument(given.text);
+    }
   }
 
   /** All that a link would hold: problem, options, plan, step, open tab. Kept and set again, the playground is as it was. */
@@ -97,8 +103,11 @@ export abstract class PlaygroundElement extends Base {
     if (value === null || value === undefined) return;
     const given = textOf("state", value);
     if ("fault" in given) this.#refuse(given.fault);
-    else if (this.#view === null) Object.assign(this.#wanted, { document: null, state: given.text, fault: null });
-    else void this.#view.openState(given.text);
+    else {
+      this.#asked.problems += 1;
+      if (this.#view === null) Object.assign(this.#wanted, { document: null, state: given.text, fault: null });
+      else void this.#view.openState(given.text);
+    }
   }
 
   /** The form that the element is a field of. */
@@ -152,9 +161,16 @@ export abstract class PlaygroundElement extends Base {
     (await this.#whenDrawn()).goTo(step);
   }
 
-  /** Solves the open problem. Rejects with a sentence where the options do not fit or the solver was lost. */
+  /**
+   * Solves the problem that was asked for when this was called. Rejects with a sentence where another problem or question
+   * was asked for since, the options do not fit or the solver was lost.
+   */
   async solve(options: ElementSolveOptions | null = {}): Promise<Answered> {
-    return (await this.#whenDrawn()).solve(options ?? {});
+    const before = { ...this.#asked };
+    const view = await this.#whenDrawn();
+    const overtaken = overtakenBy(before, this.#asked);
+    if (overtaken !== null) throw new Error(overtaken);
+    return view.solve(options ?? {});
   }
 
   /**
@@ -232,13 +248,17 @@ export abstract class PlaygroundElement extends Base {
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (before === after) return;
     if (name === "required") this.#validate();
-    else this.follow(name);
+    // For the browser, which disables fields, any value of it says yes.
+    else if (name === "disabled" && after === no) this.removeAttribute(name);
+    else if (name !== "disabled") this.follow(name);
   }
 
   /** Does what an attribute says. */
   protected follow(name: string): void {
     if (name === "loading" && this.#stopWaiting !== null && !this.#isLazy) void this.show();
-    this.#view?.attributeChanged(name);
+    // An address is also taken away because another one was set: that one is what is asked for.
+    const byPage = this.#view?.attributeChanged(name) ?? true;
+    if (byPage) count(this.#asked, name);
   }
 
   /** Loads the view and has it draw, where that has not been done. */

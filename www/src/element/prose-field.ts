@@ -1,4 +1,5 @@
 // Fields of the page's prose: what one shows of a playground, and what a person has chosen in it.
+import { isStep } from "./attributes.js";
 
 type Field = HTMLInputElement | HTMLSelectElement | HTMLTextAreaElement;
 
@@ -12,19 +13,69 @@ const isChoice = (part: Element): part is HTMLInputElement =>
 const isNumber = (part: Element): part is HTMLInputElement =>
   part instanceof HTMLInputElement && part.type === "number";
 
-/** What a person has chosen or typed; null where there is nothing yet, as in a number that is being typed. */
-export function chosenIn(part: Element): string | null {
-  if (!isField(part) || !part.validity.valid) return null;
-  if (isChoice(part)) return part.checked ? part.value : null;
+/** Anything may be typed into it. */
+const isText = (part: Element): part is HTMLInputElement | HTMLTextAreaElement =>
+  part instanceof HTMLTextAreaElement || (part instanceof HTMLInputElement && part.type === "text");
+
+/** What is a number, and what is expected then. */
+const numbers: Record<string, [fits: (text: string) => boolean, expected: string]> = {
+  step: [isStep, "a whole number from 0"],
+  k: [(text) => /^\s*\d*\s*$/.test(text), "a whole number"],
+  j: [(text) => /^\s*\d*\s*$/.test(text), "a whole number"],
+  horizon: [(text) => /^\s*(?:\d*|any)\s*$/.test(text), "a whole number, or any"],
+};
+
+/** Fields that say themselves that what is typed in them can't be used. */
+const marked = new WeakSet<Field>();
+
+/** What a person has chosen or typed for `name`; null where there is nothing yet, or what can't be used, which the field says. */
+export function chosenIn(part: Element, name: string): string | null {
+  if (!isField(part)) return null;
+  unmark(part);
+  if (isChoice(part)) return part.validity.valid && part.checked ? part.value : null;
+  // None is chosen yet, or typed. An empty text is the plan without actions.
+  if (part.value === "" && part.validity.valid && (!isText(part) || name === "step")) return null;
+  const fault = faultIn(part, name);
+  if (fault !== null) {
+    mark(part, fault);
+    return null;
+  }
   // A number may be typed as 1e1.
-  if (isNumber(part) && part.value !== "") return String(part.valueAsNumber);
-  // An empty text is the plan without actions.
-  const nothing = part.value === "" && (part instanceof HTMLSelectElement || isNumber(part));
-  return nothing ? null : part.value;
+  return isNumber(part) ? String(part.valueAsNumber) : part.value;
 }
 
-/** Whether a field is left with what is no number, or none that can be set. */
-export const isUnusable = (part: Element): boolean => isNumber(part) && chosenIn(part) === null;
+/** Why what a field holds can't be set. */
+function faultIn(part: Field, name: string): string | null {
+  const { valid, rangeOverflow, badInput, stepMismatch, customError } = part.validity;
+  // A step beyond the last one is the last.
+  const beyond = name === "step" && rangeOverflow && !badInput && !stepMismatch && !customError;
+  if (!valid && !beyond) return part.validationMessage;
+  const [fits, expected] = numbers[name] ?? [];
+  return !isText(part) || fits === undefined || fits(part.value)
+    ? null
+    : `“${part.value}” can’t be used here; expected ${expected}.`;
+}
+
+/** The field itself says what is wrong with it, and the playground stays as it is. */
+function mark(part: Field, fault: string): void {
+  // What the browser finds it says in its own words.
+  if (part.validity.valid) part.setCustomValidity(fault);
+  part.setAttribute("aria-invalid", "true");
+  marked.add(part);
+}
+
+function unmark(part: Field): void {
+  if (!marked.delete(part)) return;
+  part.setCustomValidity("");
+  part.removeAttribute("aria-invalid");
+}
+
+/** Whether a field is left with what can't be used, or what may not be what came of it: it shows what is then. */
+export function givesWay(part: Element, name: string): boolean {
+  if (!isField(part)) return false;
+  const isTyped = isNumber(part) || isText(part);
+  return marked.has(part) || (isNumber(part) && part.value === "") || (isTyped && name === "step");
+}
 
 /** Whether a person has taken back what a field sets. */
 export const isUnchecked = (part: Element): boolean =>
@@ -39,6 +90,7 @@ export function showIn(part: Element, value: string, most: number | null): void 
   } else if (isField(part)) {
     // What is typed into a file's field is the person's alone.
     if (part.type === "file") return;
+    unmark(part);
     if (part instanceof HTMLInputElement && most !== null)
       Object.assign(part, { min: part.min || "0", max: String(most) });
     part.value = value;

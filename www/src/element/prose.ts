@@ -3,7 +3,7 @@
 // `data-mo-copp-show` what is shown or, in a field, shown and set.
 import { differenceText } from "../view/numbers.js";
 import { bringIntoView, isSeen } from "./into-view.js";
-import { chosenIn, isUnchecked, isUnusable, showIn } from "./prose-field.js";
+import { chosenIn, givesWay, isUnchecked, showIn } from "./prose-field.js";
 
 const FOR = "data-mo-copp-for";
 const SET = "data-mo-copp-set-";
@@ -74,7 +74,7 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
     const part = partOf(event, parts());
     const name = part?.getAttribute(SHOW) ?? "";
     if (part === undefined || !settable.has(name)) return;
-    const value = chosenIn(part);
+    const value = chosenIn(part, name);
     if (value !== null) {
       before.set(part, host.getAttribute(name));
       set([[name, value]]);
@@ -88,7 +88,7 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
   /** A field that is left shows what is, and not what could not be. */
   const left = (event: Event) => {
     const part = partOf(event, parts());
-    if (part !== undefined && isUnusable(part)) write(part, host, told.get(host) ?? null);
+    if (part !== undefined && givesWay(part, part.getAttribute(SHOW) ?? "")) write(part, host, told.get(host) ?? null);
   };
   const listeners: [EventTarget, string, (event: Event) => void][] = [
     [host, "mo-copp-step", stepped],

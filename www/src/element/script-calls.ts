@@ -4,13 +4,11 @@ import { optionsOf } from "../state/form.js";
 import { fitted } from "../state/numbers.js";
 import { CLOSED } from "../state/solving.js";
 import type { Answered } from "../worker/protocol.js";
+import { CHANGED, OVERTAKEN } from "./asked.js";
 import { changeOf, type ElementSolveOptions } from "./solve-options.js";
 import { type PngOptions, pictureOptions, type SvgOptions } from "./svg-options.js";
 import type { Scheme } from "./theme.js";
 
-/** Why a question has no answer of its own. */
-const OVERTAKEN = "Another question took the place of this one before it was answered.";
-const CHANGED = "The problem was changed before this question was answered.";
 /** Why a playground that shows a question does nothing else: the problem that was open before it is out of sight. */
 const ASKED =
   "A question is shown, without steps, solvers and best values: only where its lock allows, its problem is opened without it.";

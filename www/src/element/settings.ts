@@ -6,7 +6,7 @@ import { emptyForm, type Form, solverNames } from "../state/form.js";
 import { fitted } from "../state/numbers.js";
 import { brief } from "../view/names.js";
 import type { Seed } from "../worker/protocol.js";
-import { isOn, no, propertiesAlone, settingNames } from "./attributes.js";
+import { isOn, isStep, no, propertiesAlone, settingNames } from "./attributes.js";
 import { fetched } from "./fetched.js";
 import { type KeyReach, keyReaches } from "./page-keys.js";
 import { themes } from "./theme.js";
@@ -46,6 +46,12 @@ export interface Settings {
 
 export function settingsOf(element: Element): Settings {
   return Object.fromEntries(settingNames.map((name) => [name, element.getAttribute(name)])) as unknown as Settings;
+}
+
+/** The same of these attributes alone. */
+export function settingsAmong(element: Element, names: ReadonlySet<string>): Settings {
+  const among = settingNames.map((name) => [name, names.has(name) ? element.getAttribute(name) : null]);
+  return Object.fromEntries(among) as unknown as Settings;
 }
 
 /** Of `src` and `problem` the one that was set last counts; of both together the former. */
@@ -147,7 +153,7 @@ const isOneOf = (names: readonly string[], text: string): boolean => names.inclu
 const unusable = (name: string, text: string, expected: string): string =>
   `“${text}” can’t be used for the attribute ${name}; expected ${expected}.`;
 
-const stepOf = (text: string): number | null => (/^\s*\d{1,6}\s*$/.test(text) ? Number(text) : null);
+const stepOf = (text: string): number | null => (isStep(text) ? Number(text) : null);
 
 interface Settling {
   /** Whether these settings are still the last ones asked for; when they are not, the rest is left to those that came after. */
@@ -156,6 +162,8 @@ interface Settling {
   again: () => void;
   /** Told of the text of the document before it is opened. */
   read: (text: string) => void;
+  /** Opens what the attributes are of, where that is more than a document. */
+  open?: () => Promise<boolean>;
 }
 
 /**
@@ -169,9 +177,9 @@ export async function settle(
   at: "first" | "end",
   settling: Settling,
 ): Promise<boolean> {
-  const { wanted, again } = settling;
+  const { wanted, again, open } = settling;
   const { answer } = playground;
-  const opened = await openProblem(playground, settings, fallback, at, settling);
+  const opened = await (open?.() ?? openProblem(playground, settings, fallback, at, settling));
   if (!wanted()) return false;
   if (answer.again.value !== null) answer.again.value = again;
   if (!opened) return false;

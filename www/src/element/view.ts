@@ -14,10 +14,9 @@ import type { ProblemDocument } from "../problem/types.js";
 import { Address } from "../share/address.js";
 import { copyLink, LinkCopier } from "../share/copy-link.js";
 import { DropTarget, dropSign } from "../share/drop.js";
-import { LinkError } from "../share/packed.js";
 import { pictureButton } from "../share/picture-button.js";
-import { restore } from "../share/restore.js";
-import { keptState, readState, type SharedState } from "../share/shared-state.js";
+import { restoreText } from "../share/restore.js";
+import { keptState, type SharedState } from "../share/shared-state.js";
 import { Announcer, announcement } from "../stage/announcement.js";
 import { goalList } from "../stage/goal-list.js";
 import { legend } from "../stage/legend.js";
@@ -39,6 +38,7 @@ import { keepInSight } from "./in-sight.js";
 import { linkAddressOf } from "./link-address.js";
 import { LiveRender } from "./live-render.js";
 import { mark } from "./marks.js";
+import { Opening } from "./opening.js";
 import { opensExample } from "./opens-example.js";
 import { PageKeys } from "./page-keys.js";
 import { PageQuestion } from "./page-question.js";
@@ -56,6 +56,7 @@ import {
   opensAt,
   type Part,
   seedOf,
+  settingsAmong,
   settingsOf,
   settle,
 } from "./settings.js";
@@ -100,8 +101,7 @@ export class View {
   private readonly notifier: Notifier;
   private readonly message: AttributeMessage;
   private readonly underWay = new UnderWay();
-  /** What was open when the work under way was begun. */
-  private openBefore: unknown = null;
+  private readonly opening = new Opening(this.playground);
   private readonly seen: (event: FocusEvent) => void;
   /** Whether the page's address is this playground's. */
   private readonly sharing = signal(false);
@@ -207,31 +207,22 @@ export class View {
 
   openState(text: string): Promise<void> {
     const { document } = parsed(text) as Partial<SharedState>;
-    return this.give({ document: null, state: text }, document ?? null, async () => {
-      try {
-        return await restore(this.playground, readState(text));
-      } catch (error) {
-        if (!(error instanceof LinkError)) throw error;
-        this.playground.solving.refuse("This state can’t be used: it holds no problem document.");
-        return false;
-      }
-    });
+    return this.give({ document: null, state: text }, document ?? null, () => restoreText(this.playground, text));
   }
 
   /** Settles once what was asked for is there; of a problem that takes long to solve, once it is open. */
   async settled(): Promise<void> {
-    const { answer, problem } = this.playground;
-    const open = () => problem.document.value !== this.openBefore && problem.document.value === problem.newest;
+    const { answer } = this.playground;
     const ended = this.underWay.ended();
     const stop = effect(() => {
-      if (open() && answer.slow.value && answer.status.value === "solving") this.underWay.release();
+      if (this.opening.isThere && answer.slow.value && answer.status.value === "solving") this.underWay.release();
     });
     await ended;
     stop();
   }
 
   private work(begin: () => Promise<void>): Promise<void> {
-    this.openBefore = this.playground.problem.document.value;
+    this.opening.begin();
     return this.underWay.begin(begin());
   }
 
@@ -245,11 +236,16 @@ export class View {
     this.given.begin(pending, document);
     const opened = await open();
     if (!this.given.end(pending, opened)) return;
-    if (opened) this.question.take();
-    else this.question.miss();
-    if (opened && this.given.step) goToStep(this.playground, settingsOf(this.host));
+    this.ended(opened);
+    if (opened && this.given.changed.has("step")) goToStep(this.playground, settingsOf(this.host));
     const { again } = this.playground.answer;
     if (!opened && again.value !== null) again.value = () => void this.give(pending, document, open);
+  }
+
+  private ended(opened: boolean): void {
+    if (opened) this.question.take();
+    else this.question.miss();
+    this.opening.end(opened);
   }
 
   /** Whether no answer may be given: the form's field is disabled. */
@@ -261,7 +257,9 @@ export class View {
     calls.goTo(this.playground, step);
   }
 
-  solve(options: ElementSolveOptions): Promise<Answered> {
+  async solve(options: ElementSolveOptions): Promise<Answered> {
+    const { missed } = this.opening;
+    if (missed !== null) throw new Error(missed);
     return calls.solve(this.playground, options);
   }
 
@@ -273,12 +271,16 @@ export class View {
     return calls.toPNG(this.playground, options, schemeOf(this.host));
   }
 
-  attributeChanged(name: string): void {
+  /** False where it is not the page that changed it. */
+  attributeChanged(name: string): boolean {
     this.picture.request();
-    if (this.changes.add(name) && (name === "src" || name === "problem")) this.given.drop();
+    const byPage = this.changes.add(name);
+    if (byPage && (name === "src" || name === "problem")) this.given.drop();
+    return byPage;
   }
 
   private followAttributes(names: ReadonlySet<string>): void {
+    for (const name of names) this.given.changed.add(name);
     if ([...names].some((name) => !manners.has(name))) {
       void this.settle();
       return;
@@ -289,7 +291,6 @@ export class View {
 
   private followStep(): void {
     const { given, playground } = this;
-    if (given.isPending) given.step = true;
     if (!given.isPending || playground.problem.document.value?.text === given.text)
       goToStep(this.playground, settingsOf(this.host));
   }
@@ -306,21 +307,21 @@ export class View {
     const wanted = () => now === this.followed;
     const pending = this.given.join();
     const given = this.given.text;
-    const asked = settingsOf(this.host);
-    const settings = given === null ? asked : { ...asked, src: null, problem: null };
+    const state = this.given.stateText;
+    const asked = () => (state === null ? settingsOf(this.host) : settingsAmong(this.host, this.given.changed));
+    const settings = given === null ? asked() : { ...asked(), src: null, problem: null };
     const document = given ?? inline(this.host) ?? exampleDocument;
-    const again = () => void this.settle(at);
     const settled = await settle(this.playground, settings, document, at, {
       wanted,
-      again,
+      again: () => void this.settle(at),
       read: (text) => this.question.read(text),
+      ...(state === null ? {} : { open: () => restoreText(this.playground, state) }),
     });
-    if (wanted() && settled) this.question.take();
-    else if (wanted()) this.question.miss();
+    if (wanted()) this.ended(settled);
     // What may come the next time is still what was given.
     if (wanted()) this.given.end(pending, settled || this.playground.answer.again.value !== null);
     // The step may have changed meanwhile.
-    if (settled) goToStep(this.playground, settingsOf(this.host));
+    if (settled) goToStep(this.playground, asked());
     if (wanted()) this.message.sayAll();
   }
 
@@ -339,11 +340,11 @@ export class View {
     if (state !== null) {
       const opened = this.openState(state);
       // A state that names no step leaves it to the attribute.
-      this.given.step = (parsed(state) as Partial<SharedState>).step === undefined;
+      if ((parsed(state) as Partial<SharedState>).step === undefined) this.given.changed.add("step");
       return opened;
     }
     if (document !== null) {
-      this.given.text = document;
+      this.given.takeFirst();
       return this.settle(opensAt(this.host));
     }
     const opened = await this.openLink();

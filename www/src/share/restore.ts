@@ -6,9 +6,11 @@ import type { Edits } from "../state/edits.js";
 import type { Exercise } from "../state/exercise.js";
 import { emptyForm } from "../state/form.js";
 import type { Plans } from "../state/plans.js";
+import type { Solving } from "../state/solving.js";
 import { initialExtra } from "../state/tradeoff.js";
 import type { Walk } from "../state/walk.js";
-import { planShown, type SharedState, type SharedStores } from "./shared-state.js";
+import { LinkError } from "./packed.js";
+import { planShown, readState, type SharedState, type SharedStores } from "./shared-state.js";
 
 export interface RestoreStores extends SharedStores {
   edits: Edits;
@@ -20,6 +22,17 @@ export interface RestoreStores extends SharedStores {
 
 /** Whose the plan is that no solver has found again. */
 const LINK = "the plan of the link";
+
+/** As `restore`, of a state as a script keeps it. */
+export async function restoreText(playground: RestoreStores & { solving: Solving }, text: string): Promise<boolean> {
+  try {
+    return await restore(playground, readState(text));
+  } catch (error) {
+    if (!(error instanceof LinkError)) throw error;
+    playground.solving.refuse("This state can’t be used: it holds no problem document.");
+    return false;
+  }
+}
 
 /** Nothing changes where the link's problem is not right: then the page says why, and false comes back. */
 export async function restore(playground: RestoreStores, state: SharedState): Promise<boolean> {
