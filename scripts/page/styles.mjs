@@ -27,7 +27,8 @@ export function stylesInElement() {
 const inBoth = (code) => code.replace(/var\(--([a-z-]+)(, [^()]+)?\)/g, `var(${OWN}$1, var(--$1$2))`);
 
 function inShadow(code) {
-  // A page may register a property of any name, and then decides what it is everywhere.
+  // A page may register a property of any name, and then decides what it is everywhere, unless a script did before
+  // (own-properties.ts).
   return code
     .replace(/(?<![\w-])--(?!mo-copp-)(?=[a-z])/g, OWN)
     .split("\n")
@@ -36,10 +37,10 @@ function inShadow(code) {
       if (line.startsWith("@media (max-width"))
         return line.replace("@media", "@container mo-copp").replace(/rem\b/, "em");
       if (line.startsWith("@container")) return line.replace(/rem\b/, "em");
-      if (line.startsWith("@") || line.includes("--mo-copp-rem:")) return line;
+      if (line.startsWith("@") || line.includes(`${OWN}rem:`)) return line;
       // As wide as the playground, and not as the window; dialogs go by the window.
       const own = line.includes("-room:") ? line.replace("100vw", "100cqi") : line;
-      return own.replace(/(-?[\d.]+)rem\b/g, (_, number) => `calc(${number} * var(--mo-copp-rem))`);
+      return own.replace(/(-?[\d.]+)rem\b/g, (_, number) => `calc(${number} * var(${OWN}rem))`);
     })
     .join("\n");
 }

@@ -37,6 +37,18 @@ function python(folder: string, name: RegExp): string {
   return readFileSync(join(found, file), "utf8");
 }
 
+/** What the element's styles have of custom properties that no page sets. */
+function ownProperties(): string[] {
+  const folder = new URL("../../www/src/style/", import.meta.url);
+  const texts = readdirSync(folder).map((file) => readFileSync(new URL(file, folder), "utf8"));
+  const names = texts.flatMap((text) =>
+    [...text.matchAll(/(?<![\w-])--(?!mo-copp-)([a-z-]+)/g)].map(([, name = ""]) => name),
+  );
+  const found = [...new Set(names)];
+  assert(found.length > 20, "the styles have custom properties");
+  return found;
+}
+
 const styles: readonly Style[] = [
   {
     name: "Bootstrap 5.3",
@@ -91,6 +103,19 @@ const styles: readonly Style[] = [
         (name) =>
           `@property --${name} { syntax: "<color>"; inherits: false; initial-value: ${name === "card" ? "lime" : "red"} }`,
       )
+      .join(" "),
+  },
+  {
+    name: "registered properties of the element's own",
+    css: ["--mo-copp-rem", ...ownProperties().flatMap((name) => [`--${name}`, `--mo-copp-own-${name}`])]
+      .map((name, index) => {
+        const syntaxes = [
+          '"<color>"; initial-value: red',
+          '"<length>"; initial-value: 0px',
+          '"*"; initial-value: lime',
+        ];
+        return `@property ${name} { syntax: ${syntaxes[index % syntaxes.length]}; inherits: false }`;
+      })
       .join(" "),
   },
   {

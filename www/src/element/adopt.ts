@@ -1,4 +1,5 @@
 // Styles for shadow roots: one sheet for all roots of a document, made by script, which no content policy forbids.
+import { keepProperties } from "./own-properties.js";
 
 /** A sheet is its document's alone. */
 const sheets = new WeakMap<Document, Map<string, CSSStyleSheet>>();
@@ -19,6 +20,7 @@ export function adoptAgain(root: ShadowRoot): void {
 }
 
 function take(root: ShadowRoot, name: string, text: string): void {
+  keepProperties(root.ownerDocument, text);
   const sheet = sheetOf(root.ownerDocument, name, text);
   if (sheet === null || !("adoptedStyleSheets" in root)) {
     write(root, name, text);
