@@ -127,6 +127,39 @@ test("it fills what is there up to its natural width, wherever its box shrinks t
     assert.deepEqual(wrong, []);
   }));
 
+test("in a line of its own box it stands where a block stands", () =>
+  visit(async ({ page }) => {
+    await page.route(`${address}lesson/line.html`, (route) =>
+      route.fulfill({
+        contentType: "text/html",
+        body: `<!doctype html><html lang="en"><head><title>Lesson</title>
+          <script type="module" src="../mo-copp-playground.js"></script></head><body>
+          <div id="box"><div id="inner"><mo-copp-playground problem="corridor" hide="workbench goals" link="off"></mo-copp-playground></div></div></body></html>`,
+      }),
+    );
+    await page.goto(`${address}lesson/line.html`);
+    await page.waitForSelector("mo-copp-playground[data-status=optimal]");
+    const top = (inner: string, host: string) =>
+      page.evaluate(
+        ([inner, host]) => {
+          document.querySelector("#inner")?.setAttribute("style", inner);
+          const playground = document.querySelector("mo-copp-playground");
+          playground?.setAttribute("style", host);
+          const [box = 0, at = 0] = [document.querySelector("#box"), playground].map(
+            (one) => one?.getBoundingClientRect().top,
+          );
+          return at - box;
+        },
+        [inner, host] as const,
+      );
+    for (const display of ["block", "inline-block", "inline-flex", "inline-grid", "inline-table"]) {
+      for (const font of ["", "; font: 40px/2 serif"]) {
+        assert.equal(await top(`display: ${display}${font}`, ""), 0, `a box of ${display}${font}`);
+        assert.equal(await top(font.slice(2), `display: ${display}`), 0, `a host of ${display}${font}`);
+      }
+    }
+  }));
+
 test("whatever display a page gives the element, its boards are as wide as it is", () =>
   visit(async ({ page }) => {
     const one = `<mo-copp-playground problem="corridor" hide="workbench goals" link="off"></mo-copp-playground>`;

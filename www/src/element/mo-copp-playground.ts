@@ -13,6 +13,7 @@ import type { View } from "./view.js";
  *
  * What is drawn goes by the width that it has, and so has none of its own. Where the box around it is as wide as what
  * is in it, an unseen line of text gives it one: it is as long as a playground is wide, and breaks where there is less.
+ * No line around the playground stands on it: what is contained and no scroll container has no baseline.
  * A page may make the host a row, a grid or a table: all of it is one box, which is as wide as the host. What would leave
  * it no room is decided here, whatever a rule of the page is for: all elements, or this one.
  *
@@ -24,8 +25,9 @@ const frame = `
 :host { display: block; writing-mode: horizontal-tb !important; columns: auto !important;
   contain: none !important; container-type: normal !important; }
 :host([hidden]) { display: none !important; }
+:host(:fullscreen) { overflow: auto; }
 .whole { display: block; flex: 1 1 auto; grid-column: 1 / -1; place-self: start stretch; width: 100%; min-width: 0; }
-.width { all: initial; display: block; height: 0; overflow: hidden; visibility: hidden; font-size: inherit;
+.width { all: initial; display: block; contain: layout; height: 0; overflow: clip; visibility: hidden; font-size: inherit;
   word-spacing: max(10rem, min(60 * var(--mo-copp-font-size, max(1rem, 13px)), 100cqi - 2rem)); }
 .width::before { content: "- -"; display: block; min-width: 10rem; font: 1px/0 sans-serif; }
 .ground { display: flow-root; }

@@ -44,7 +44,7 @@ export function problemBar(playground: ProblemBarStores, share: TemplateResult |
 function titleOf(playground: ProblemBarStores): string {
   const entry = playground.gallery.current.value;
   if (entry !== null) return entry.title;
-  if (playground.problem.document.value === null) return "…";
+  if (playground.problem.document.value === null) return "No problem is open yet";
   return playground.problem.canReset.value ? "An edited problem" : "Your own problem";
 }
 

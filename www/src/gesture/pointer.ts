@@ -21,7 +21,24 @@ export interface BoardPointer {
 const SHAKE = 3;
 
 /** The pointer that edits, only one at a time, and where it was pressed. */
-let holding: { pointer: number; x: number; y: number } | null = null;
+let holding: { pointer: number; x: number; y: number; page: Document } | null = null;
+
+function hold(held: NonNullable<typeof holding>): void {
+  letGo();
+  holding = held;
+  held.page.addEventListener("dragstart", refuse, true);
+}
+
+function letGo(): void {
+  holding?.page.removeEventListener("dragstart", refuse, true);
+  holding = null;
+}
+
+/** A page may have cards that can be dragged: one stays in its place while something on its board is. */
+function refuse(event: Event): void {
+  event.preventDefault();
+  event.stopPropagation();
+}
 
 export function boardPointer(board: BoardName, playground: PointerStores): BoardPointer {
   const { editing } = playground;
@@ -33,7 +50,7 @@ export function boardPointer(board: BoardName, playground: PointerStores): Board
       const point = pointIn(svg, event);
       if (point !== null) editing.cursor.value = { board, cell: cellAt(point), shown: false };
       if (drag === null) return;
-      holding = { pointer: event.pointerId, x: event.clientX, y: event.clientY };
+      hold({ pointer: event.pointerId, x: event.clientX, y: event.clientY, page: svg.ownerDocument });
       if (toolInHand(playground) === "belief") playground.timeline.goTo(0);
       begin(playground, drag);
       // A brush may leave the board at once; a piece that is only clicked goes on being what is clicked.
@@ -43,7 +60,7 @@ export function boardPointer(board: BoardName, playground: PointerStores): Board
       if (event.pointerId !== holding?.pointer) return;
       if (event.buttons === 0) {
         // It was let go where nobody heard of it.
-        holding = null;
+        letGo();
         takeBack(playground);
         return;
       }
@@ -60,7 +77,7 @@ export function boardPointer(board: BoardName, playground: PointerStores): Board
     },
     up(event) {
       if (event.pointerId !== holding?.pointer) return;
-      holding = null;
+      letGo();
       const drag = editing.drag.value;
       finish(playground);
       // A goal that was pressed and not carried anywhere was chosen.
@@ -74,7 +91,7 @@ export function boardPointer(board: BoardName, playground: PointerStores): Board
       if (event.pointerId !== holding?.pointer) return;
       // A finger is held by what it touched until the board takes hold of it.
       if (event.type === "lostpointercapture" && event.target !== event.currentTarget) return;
-      holding = null;
+      letGo();
       takeBack(playground);
     },
     touch(event) {
