@@ -79,6 +79,17 @@ test("a core that does not come is told of before it is needed, what is shown st
     { quiet: false },
   ));
 
+test("a plan that is asked for before there is a core is shown once it is there", () =>
+  visit(async ({ page }) => {
+    await page.context().route(wasm, async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 1000));
+      await route.continue();
+    });
+    await page.goto(`${page.url().split("?")[0]}?problem=eight-by-eight&plan=north,north,east&step=2`);
+    await page.waitForSelector('mo-copp-playground[data-step="2"][data-status=optimal]');
+    await page.locator('input[type="range"][max="3"]').waitFor();
+  }));
+
 test("an edit made before there is a core is answered by it", () =>
   visit(async ({ page }) => {
     await page.reload();

@@ -172,7 +172,8 @@ export class Solving {
   private async confirm({ document, options }: Job): Promise<void> {
     const { begun } = this;
     await afterPicture();
-    if (begun !== this.begun) return;
+    // What is asked by then asks the core as well, and must not be given up for this.
+    if (begun !== this.begun || this.runner.busy) return;
     const ending = await this.runner.run({ kind: "solve", document: document.text, options });
     if (begun === this.begun) this.failed(ending);
   }

@@ -13,6 +13,11 @@ export class TaskRunner {
     private readonly pool = pagePool,
   ) {}
 
+  /** Whether a task is under way, or waits. */
+  get busy(): boolean {
+    return this.current !== null;
+  }
+
   /** Has a worker load the core, for the task that will come. */
   prepare(): void {
     this.pool.prepare(this);
