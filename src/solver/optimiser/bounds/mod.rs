@@ -14,8 +14,10 @@
 pub(super) mod classes;
 mod elimination;
 pub(super) mod invariants;
+mod known_values;
 pub(super) mod listing;
 mod matrix;
+mod mutual_exclusion;
 mod pair_tables;
 pub(super) mod pairs;
 pub(super) mod trivial;
