@@ -8,6 +8,9 @@ type Fetched =
   /** `mayCome`: a second try may bring it. */
   | { text?: never; fault: string; mayCome: boolean };
 
+/** A host that has said nothing by then says nothing. */
+const PATIENCE_MS = 30_000;
+
 const INSIDE = "A document may stand in the element itself, as a script of the type application/json.";
 
 export async function fetched(given: string): Promise<Fetched> {
@@ -22,13 +25,19 @@ export async function fetched(given: string): Promise<Fetched> {
     return refused(`could not be loaded: “${address.protocol}” is no place of documents; expected ${READABLE}.`);
   const tooLarge = `is too large: at most ${LARGEST_IN_WORDS} can be opened.`;
   let text: string;
+  const patience = new AbortController();
+  const timer = setTimeout(() => patience.abort(), PATIENCE_MS);
   try {
-    const response = await fetch(address);
+    const response = await fetch(address, { signal: patience.signal });
+    clearTimeout(timer);
     const { ok, status, headers } = response;
     if (!ok) return refused(`could not be loaded: ${address.href} was answered with ${status}.`, true);
     if (Number(headers.get("Content-Length")) > LARGEST_DOCUMENT) return refused(tooLarge);
     text = await response.text();
   } catch {
+    if (patience.signal.aborted)
+      return refused(`could not be loaded: ${address.href} did not answer in ${PATIENCE_MS / 1000} seconds.`, true);
+    clearTimeout(timer);
     const { why, mayCome } = await whyUnreachable(address);
     return refused(`could not be loaded: ${why}${mayCome ? "" : ` ${INSIDE}`}`, mayCome);
   }

@@ -1,11 +1,12 @@
 // Keys that work wherever in the playground the focus is, as long as nothing there has keys of its own: ← → Home End
 // Space walk through the steps, ? opens the help, and undo and redo edit. By `keys` they work where nothing on the page
-// has the focus, too ("page"), in the playground alone ("focus"), or not at all ("off"). A key that was handled here
+// has the focus and the playground is in sight, too ("page"), in the playground alone ("focus"), or not at all ("off"). A key that was handled here
 // never reaches the page, but for what listens in the capture phase: only the part that has the focus knows its keys.
 import { shortcut } from "../gesture/shortcuts.js";
 import { openHelp } from "../help/help.js";
 import type { Playground } from "../playground/playground.js";
 import { inField } from "../view/typing.js";
+import { isInReach } from "./in-reach.js";
 
 export const keyReaches = ["page", "focus", "off"] as const;
 export type KeyReach = (typeof keyReaches)[number];
@@ -47,9 +48,9 @@ export class PageKeys {
     for (const type of ["keypress", "keyup"]) window.removeEventListener(type, rest, { capture: true });
   }
 
-  /** Whether keys that are for nothing on the page are for this. */
+  /** Whether keys that are for nothing on the page are for this: whoever presses them sees what they do. */
   get hasPage(): boolean {
-    return this.reach() === "page";
+    return this.reach() === "page" && isInReach(this.root);
   }
 
   get dragging(): boolean {
@@ -133,19 +134,35 @@ function pressedOutside(event: KeyboardEvent): void {
   unheard.delete(event.code);
   if (listening.some((keys) => keys.contains(event))) return;
   const on = placeOf(event);
-  const nowhere = on === document.body || on === document.documentElement;
+  const nowhere = (on === document.body || on === document.documentElement) && !isWritten(on);
   if (listening.some((keys) => keys.modal())) {
     // In a dialog, too, the focus may be on nothing.
     if (nowhere) keepFromPage(event);
     return;
   }
+  if (event.defaultPrevented) return;
   const dragging = listening.find((keys) => keys.dragging);
+  // Beside a link or a button the help may be asked for; what else has the focus may be where text is typed.
+  const isFree = nowhere || (event.key === "?" && on.matches("a[href], button, summary"));
+  if (dragging === undefined && (!isFree || hasPopover())) return;
   const taker = dragging ?? listening.find((keys) => keys.hasPage);
-  if (taker === undefined || event.defaultPrevented) return;
-  if (dragging === undefined && !nowhere && (event.key !== "?" || inField(event))) return;
-  if (document.querySelector("dialog:modal") !== null) return;
+  if (taker === undefined) return;
   taker.take(event, on);
   if (event.defaultPrevented) keepFromPage(event);
+}
+
+/** Whether the page itself is being written in. */
+const isWritten = (on: Element): boolean =>
+  document.designMode === "on" || (on instanceof HTMLElement && on.isContentEditable);
+
+/** Whether something of the page stands above it for a moment, as a menu. */
+function hasPopover(): boolean {
+  try {
+    return document.querySelector(":popover-open") !== null;
+  } catch {
+    // A browser that knows none.
+    return false;
+  }
 }
 
 function keepFromPage(event: KeyboardEvent): void {

@@ -212,6 +212,11 @@ export function goToStep({ timeline }: Playground, { step }: Settings): void {
   if (wanted !== null) timeline.goTo(wanted);
 }
 
+/** Until then one waits without a word. */
+const LATE_MS = 4000;
+
+const notYet = (src: string): string => `Still waiting for the problem document “${brief(src)}”.`;
+
 async function openProblem(
   playground: Playground,
   { src, problem }: Settings,
@@ -221,7 +226,9 @@ async function openProblem(
 ): Promise<boolean> {
   const { gallery } = playground;
   if (src !== null) {
+    const late = setTimeout(() => wanted() && playground.solving.remark(notYet(src)), LATE_MS);
     const { text, fault, mayCome } = await fetched(src);
+    clearTimeout(late);
     if (!wanted()) return false;
     if (text !== undefined) read(text);
     if (text !== undefined) return openFetched(playground, src, text, at, wanted);

@@ -1,7 +1,7 @@
 // The gallery as a dialog: a card for each problem, with its picture and what it shows.
 import { html, type TemplateResult } from "lit";
 import type { Workbench } from "../state/workbench.js";
-import { closeAround } from "../view/dialog.js";
+import { closeAround, openModal } from "../view/dialog.js";
 import { cross } from "../view/icons.js";
 import { playgroundAround } from "../view/surroundings.js";
 import { type Entry, entries } from "./entries.js";
@@ -51,5 +51,6 @@ export function openGallery(playground: MenuStores, part: Element): void {
   const { gallery } = playground;
   gallery.menuOpen.value = true;
   void gallery.load();
-  playgroundAround(part)?.querySelector<HTMLDialogElement>("dialog.gallery")?.showModal();
+  const dialog = playgroundAround(part)?.querySelector<HTMLDialogElement>("dialog.gallery");
+  if (dialog) openModal(dialog);
 }

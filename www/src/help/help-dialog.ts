@@ -1,7 +1,7 @@
 // The help: all keys, and what the words mean.
 import { html, render, type TemplateResult } from "lit";
 import { besidePlayground } from "../view/beside.js";
-import { closeAround } from "../view/dialog.js";
+import { closeAround, openModal } from "../view/dialog.js";
 import { cross } from "../view/icons.js";
 import { type Definition, glossary } from "./glossary.js";
 import { type KeyGroup, keyGroups } from "./keys.js";
@@ -19,7 +19,7 @@ export function showHelp(term: Term | undefined, part: Element): void {
     dialogs.set(root, dialog);
     besidePlayground(part).append(dialog);
   }
-  if (!dialog.open) dialog.showModal();
+  if (!dialog.open) openModal(dialog);
   if (term !== undefined) showTerm(dialog, term);
   else dialog.scrollTop = 0;
 }

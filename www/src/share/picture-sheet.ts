@@ -6,7 +6,7 @@ import type { Boards } from "../state/boards.js";
 import type { Pictures } from "../state/pictures.js";
 import type { Timeline } from "../state/timeline.js";
 import { besidePlayground } from "../view/beside.js";
-import { closeAround } from "../view/dialog.js";
+import { closeAround, openModal } from "../view/dialog.js";
 import { download } from "../view/download.js";
 import { cross } from "../view/icons.js";
 import { imageAddress } from "../view/image-address.js";
@@ -76,7 +76,7 @@ export class PictureSheet {
       for (const stop of stops) stop();
       place.remove();
     });
-    dialog.showModal();
+    openModal(dialog);
   }
 
   private draw(all: boolean): Promise<string> {

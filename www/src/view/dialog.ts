@@ -1,4 +1,14 @@
-// Dialogs: a click beside one closes it.
+// Dialogs: a click beside one closes it, and so does a page that hides what it stands in: nothing else of the page could
+// be used, and nobody would see why.
+
+export function openModal(dialog: HTMLDialogElement): void {
+  dialog.showModal();
+  const drawn = new ResizeObserver(() => {
+    if (dialog.open && dialog.getClientRects().length === 0) dialog.close();
+    if (!dialog.open) drawn.disconnect();
+  });
+  drawn.observe(dialog);
+}
 
 export function closeAround(event: MouseEvent): void {
   const dialog = event.currentTarget as HTMLDialogElement;
