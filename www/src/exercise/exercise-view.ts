@@ -38,13 +38,22 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
             tried.back();
           }}>Back to editing</button></p>`
     }
-    ${
-      question.lock === true
-        ? nothing
-        : html`<p><button type="button" @click=${() => void edits.leaveExercise()}>Open the problem in the playground</button></p>`
-    }
+    ${wayToProblem(exercise, question, edits)}
     </fieldset>
   </section>`;
+}
+
+/** Where the true goal is to be found, the problem has none to be opened with before. */
+function wayToProblem(
+  { attempts, foundGoal }: Exercise,
+  question: Question,
+  edits: ExerciseViewStores["edits"],
+): TemplateResult | typeof nothing {
+  if (question.lock === true) return nothing;
+  if (question.kind !== "guess" || foundGoal.value !== null)
+    return html`<p><button type="button" @click=${() => void edits.leaveExercise()}>Open the problem in the playground</button></p>`;
+  const isOver = question.attempts !== undefined && attempts.value >= question.attempts;
+  return isOver ? nothing : html`<p>The problem can be opened once its goal is found.</p>`;
 }
 
 /** The question with all that belongs to it. */

@@ -6,6 +6,7 @@ import type { Answer } from "./answer.js";
 import type { Editing } from "./editing.js";
 import type { Exercise } from "./exercise.js";
 import { emptyForm, exactOptions, type Form, optionsOf } from "./form.js";
+import { asksGoal } from "./locks.js";
 import type { LeftQuestion, OpenDocument, OpenProblem } from "./open-problem.js";
 import type { Solving } from "./solving.js";
 
@@ -15,7 +16,7 @@ interface Stores {
   editing: Pick<Editing, "drag">;
   exercise: Pick<
     Exercise,
-    "block" | "close" | "isOver" | "kept" | "open" | "posed" | "resume" | "stopOpening" | "textOf"
+    "block" | "close" | "foundGoal" | "kept" | "open" | "posed" | "resume" | "standing" | "stopOpening" | "textOf"
   >;
   form: Signal<Form>;
   solving: Pick<Solving, "clear" | "follow" | "open" | "refuse">;
@@ -53,9 +54,14 @@ export class Edits {
       else answer.dismiss();
       return refused === null;
     }
-    // Where parts are locked the solvers are, too, until the question is over.
-    const closed = left !== null && left.locked.length > 0 && !(await exercise.isOver(left.document, left.answer));
+    const guessed = left !== null && asksGoal(left.document);
+    const standing =
+      left !== null && (guessed || left.locked.length > 0) ? await exercise.standing(left.document, left.answer) : null;
     if (now !== this.asked) return false;
+    // Its true goal is still to be found: what the problem has in its place must not be taken for it.
+    if (guessed && standing !== "right") return this.askAgain(left);
+    // Where parts are locked the solvers are, too, until the question is over.
+    const closed = standing === "asked";
     // A question on its way would come over it; the one that is open stays until there is something else.
     exercise.stopOpening();
     // What is being dragged belongs to the problem that was open.
@@ -101,16 +107,24 @@ export class Edits {
     const { exercise } = this.stores;
     const posed = exercise.posed.value;
     if (posed === null) return;
-    const { lock, document } = posed.question;
+    const { lock, document, kind } = posed.question;
+    const goal = exercise.foundGoal.value;
+    if (kind === "guess" && goal === null) return;
+    const problem = goal === null ? document : { ...document, true_goal: goal };
     const left = { document: posed.text, answer: exercise.kept, locked: typeof lock === "boolean" ? [] : lock };
-    await this.open(JSON.stringify(document, null, 2), {}, "exact", "end", left);
+    await this.open(JSON.stringify(problem, null, 2), {}, "exact", "end", left);
   }
 
   /** Asks the question again that the open problem belongs to. */
   async returnToExercise(): Promise<void> {
-    const { exercise, problem } = this.stores;
-    const left = problem.question.value;
-    if (left !== null && (await this.open(left.document))) await exercise.resume(left.answer);
+    const left = this.stores.problem.question.value;
+    if (left !== null) await this.askAgain(left);
+  }
+
+  private async askAgain({ document, answer }: LeftQuestion): Promise<boolean> {
+    const asked = await this.open(document);
+    if (asked) await this.stores.exercise.resume(answer);
+    return asked;
   }
 
   /** Opens a text that was written in place of the open problem's: what is locked stays as it was. */

@@ -43,6 +43,9 @@ export interface Proof {
   states: number;
 }
 
+/** What came of a question: nothing more is to be found out where its answer is right or no attempt is left. */
+type Standing = "asked" | "right" | "over";
+
 export class Exercise {
   readonly posed = signal<Posed | null>(null);
   /** An exercise is on its way. */
@@ -78,6 +81,8 @@ export class Exercise {
   readonly canTry: ReadonlySignal<boolean>;
   /** Whether an answer must have a choice: some state is always possible, and one goal or cell is asked for. */
   readonly needsChoice: ReadonlySignal<boolean>;
+  /** The true goal, where that was the question and the answer that was checked last is right. */
+  readonly foundGoal: ReadonlySignal<string | null>;
   /** The name whose question is shown; empty: the question without a name; null: none was given. */
   readonly name = signal<string | null>(null);
   /** Whether the question that was asked for last could not be: nothing of its problem may be shown in its place. */
@@ -104,6 +109,11 @@ export class Exercise {
     this.needsChoice = computed(() => {
       const { arity, choice } = this.posed.value?.question.form ?? {};
       return arity === "one" || choice === "state";
+    });
+    this.foundGoal = computed(() => {
+      const [question, choice] = [this.posed.value?.question, this.checked.value?.choices[0]];
+      if (question?.kind !== "guess" || choice === undefined || this.score.value !== 1) return null;
+      return String(question.form.choices[choice]);
     });
     this.canTry = computed(() => {
       const question = this.posed.value?.question;
@@ -197,17 +207,17 @@ export class Exercise {
     this.forget();
   }
 
-  /** Whether nothing more is to be found out: a kept answer is right, as the core says, or no attempt is left. */
-  async isOver(text: string, { name, attempts, checked }: KeptAnswer): Promise<boolean> {
+  /** What came of a question to which an answer was kept, as the core says. */
+  async standing(text: string, { name, attempts, checked }: KeptAnswer): Promise<Standing> {
     const seed = name === undefined || name === "" ? this.seed : { name };
     const asked = await this.runner.run({ kind: "exercise", document: text, seed });
-    if (asked.kind !== "asked") return false;
+    if (asked.kind !== "asked") return "asked";
     const { attempts: most, form } = asked.question;
-    if (most !== undefined && attempts >= most) return true;
-    if (checked === undefined) return false;
+    const unless = most !== undefined && attempts >= most ? "over" : "asked";
+    if (checked === undefined) return unless;
     const answer = { ...checked, choices: fitting(checked.choices, form) };
     const ending = await this.runner.run({ kind: "judge", document: text, seed, ...answer });
-    return ending.kind === "judged" && ending.verdict.right;
+    return ending.kind === "judged" && ending.verdict.right ? "right" : unless;
   }
 
   /** Goes on with an answer that was kept. */

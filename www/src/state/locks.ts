@@ -14,6 +14,15 @@ export function hidesBeliefs(text: string): boolean {
   }
 }
 
+/** Whether the exercise of a document asks for the true goal: its problem has a stand-in for it until it is found. */
+export function asksGoal(text: string): boolean {
+  try {
+    return JSON.parse(text).exercise.kind === "guess";
+  } catch {
+    return false;
+  }
+}
+
 /** How a part of a document is called. */
 export const partName = (key: string): string => key.replaceAll("_", " ");
 
