@@ -14,55 +14,60 @@ const example = (name: string) =>
   JSON.parse(readFileSync(new URL(`../../examples/${name}.json`, import.meta.url), "utf8"));
 
 test("box pushing and the recycling robot say where all begins, who doubts what, and what is told", () => {
-  assert.deepEqual(floorInWords(example("box-pushing")), [
+  const { sentences, told } = floorInWords(example("box-pushing"));
+  assert.deepEqual(sentences, [
     "5 columns from the left, 5 rows from the top, both counted from 0.",
     "The robot begins at column 2, row 3 and faces north.",
     "The box begins at column 2, row 1.",
     "Goals, each a cell for the box: G1 at column 3, row 0; G2 at column 1, row 0; G3 at column 0, row 0.",
     "The true goal: G1.",
+  ]);
+  assert.deepEqual(told.sentences, [
     "At first the enemy does not know which way the robot faces: it may be north, south, east or west.",
     "The enemy is told “move” for move-forward and stay; “turn” for turn-left and turn-right.",
     "At first the friend does not know which way the robot faces: it may be north, south, east or west.",
     "The friend is told “move-right” for move-forward and turn-right; “leftwards” for stay and turn-left.",
   ]);
   const robot = floorInWords(example("recycling-robot"));
-  assert.deepEqual(robot.slice(1, 5), [
+  assert.deepEqual(robot.sentences.slice(1, 5), [
     "The robot begins at column 2, row 0 with battery 4 of 4; a move takes one.",
     "The can begins at column 1, row 0.",
     "The charger: column 2, row 3.",
     "Goals, each a cell for the can: there is a bin: G1 at column 0, row 1; G2 at column 2, row 0; G3 at column 1, row 3.",
   ]);
-  const doubt = robot.at(-4);
+  const doubt = robot.told.sentences[0];
   assert(typeof doubt === "object", String(doubt));
   assert.equal(doubt.said, "At first the enemy does not know where the robot is. It may be any of these:");
   assert.deepEqual(doubt.each[0], "column 2, row 0");
 });
 
 test("deliveries and problems that list their states are sentences as well", () => {
-  assert.deepEqual(deliveryInWords(example("delivery")).slice(0, 4), [
+  assert.deepEqual(deliveryInWords(example("delivery")).sentences.slice(0, 4), [
     "At the factory A lie a1 and a2.",
     "At the factory B lie b1 and b2.",
     "The truck is empty at first. It loads 2 of the packages, one after another, and then delivers them.",
     "Goals: each set of 2 packages.",
   ]);
   assert.match(
-    String(deliveryInWords(example("delivery")).at(-1)),
+    String(deliveryInWords(example("delivery")).told.sentences.at(-1)),
     /^The friend is told “barcode A” for load a1 and load a2; “barcode B” for load b1 and load b2; “delivery” for deliver.$/,
   );
-  const { sentences, texts } = explicitInWords(JSON.parse(explicit));
+  const { sentences, texts, told } = explicitInWords(JSON.parse(explicit));
   assert.match(String(sentences[0]), /^\d+ states, \d+ actions\. The agent begins in \S+\.$/);
   assert.match(String(sentences[1]), /^What can be done: in \S+, \S+ leads to \S+/);
   assert.deepEqual(texts, []);
+  assert.deepEqual(told.texts, []);
+  assert.deepEqual(told.sentences.slice(-1), ["The friend is told “a” for a into s1; “b” for b into s2."]);
 });
 
 test("of PDDL the first state, the goals, the doubts and the sensors are told, and its own texts stand beside them", () => {
-  const { sentences, texts } = pddlInWords(example("blocksworld"));
+  const { sentences, texts, told } = pddlInWords(example("blocksworld"));
   assert.equal(
     sentences[0],
     "At first these hold, and nothing else: (handempty), (ontable c), (on e c), (on d e), (clear d), (ontable a), (on b a), (clear b).",
   );
   assert.equal(sentences[1], "The goal G1: (and (on b c) (on d b) (on e d) (on a e)).");
-  assert.deepEqual(sentences.slice(-5), [
+  assert.deepEqual(told.sentences, [
     "The enemy knows the first state.",
     "The enemy is told of every action its name alone.",
     "The friend knows the first state.",

@@ -1,5 +1,5 @@
-// What is on paper and not on the screen: the table of the steps. A browser that prints waits for nothing, so the table's
-// code is fetched in the first pause, and it is drawn at once.
+// What is on paper and not on the screen: the table of the steps, and of a question all that is opened or written there by
+// hand. A browser that prints waits for nothing, so the table's code is fetched in the first pause, and it is drawn at once.
 import { signal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import type { StepsTableStores } from "../steps/steps-table.js";
@@ -10,7 +10,8 @@ type Table = (stores: StepsTableStores) => TemplateResult | "";
 const PAUSE_MS = 3000;
 
 export class Printing {
-  private readonly under = signal(false);
+  /** The page is being printed. */
+  readonly under = signal(false);
   private readonly table = signal<Table | null>(null);
   private asked = false;
   /** Told of a preview too, as by the tools of a browser that have no print to begin. */

@@ -376,7 +376,7 @@ export class View {
     const { opening, posed, refused } = playground.exercise;
     const isBare = error !== null && playground.problem.document.value === null && posed.value === null;
     const shown = () => {
-      if (opening.value || posed.value !== null) return exercise.panel(playground);
+      if (opening.value || posed.value !== null) return exercise.panel({ ...playground, onPaper: this.printing.under });
       if (isBare && refused.value) return nothing;
       return html`${wayBack(playground)} ${this.workplace(isBare)}`;
     };

@@ -1,4 +1,5 @@
 // An exercise: its question, a picture, the controls to answer it by, what was said of the answer, and its code.
+import type { ReadonlySignal } from "@preact/signals-core";
 import { html, nothing, type TemplateResult } from "lit";
 import type { ExerciseVerdict, Question } from "../core.js";
 import type { Edits } from "../state/edits.js";
@@ -7,18 +8,21 @@ import type { ExerciseDraft } from "../state/exercise-draft.js";
 import { imageAddress } from "../view/image-address.js";
 import { counted } from "../view/numbers.js";
 import { answerForm } from "./answer-form.js";
+import { answerOnPaper } from "./answer-on-paper.js";
 import { codeField } from "./code-field.js";
 import { counterexample } from "./counterexample.js";
 import { nameForm } from "./name-form.js";
-import { problemInWords } from "./problem-in-words.js";
+import { problemInWords, wordsOnPaper } from "./problem-in-words.js";
 
 export interface ExerciseViewStores {
   exercise: Exercise;
   exerciseDraft: Pick<ExerciseDraft, "tried">;
   edits: Pick<Edits, "leaveExercise">;
+  /** Nothing can be opened there, and answers are written by hand. */
+  onPaper: ReadonlySignal<boolean>;
 }
 
-export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewStores): TemplateResult {
+export function exerciseView({ exercise, exerciseDraft, edits, onPaper }: ExerciseViewStores): TemplateResult {
   const posed = exercise.posed.value;
   if (posed === null) return html`<p class="waiting" role="status">Loading the exercise…</p>`;
   const { question } = posed;
@@ -29,11 +33,11 @@ export function exerciseView({ exercise, exerciseDraft, edits }: ExerciseViewSto
     <h2 id="exercise-title">${question.title ?? "Exercise"}</h2>
     ${question.introduction === undefined ? nothing : html`<p class="introduction">${question.introduction}</p>`}
     ${exercise.asksName.value ? nameForm(exercise) : nothing}
-    ${exercise.asksName.value && exercise.name.value === null ? nothing : asked(exercise, question)}
+    ${exercise.asksName.value && exercise.name.value === null ? nothing : asked(exercise, question, onPaper.value)}
     ${
       tried?.text !== posed.text
         ? nothing
-        : html`<p><button type="button" @click=${() => {
+        : html`<p class="way"><button type="button" @click=${() => {
             exerciseDraft.tried.value = null;
             tried.back();
           }}>Back to editing</button></p>`
@@ -51,20 +55,21 @@ function wayToProblem(
 ): TemplateResult | typeof nothing {
   if (question.lock === true) return nothing;
   if (question.kind !== "guess" || foundGoal.value !== null)
-    return html`<p><button type="button" @click=${() => void edits.leaveExercise()}>Open the problem in the playground</button></p>`;
+    return html`<p class="way"><button type="button" @click=${() => void edits.leaveExercise()}>Open the problem in the playground</button></p>`;
   const isOver = question.attempts !== undefined && attempts.value >= question.attempts;
-  return isOver ? nothing : html`<p>The problem can be opened once its goal is found.</p>`;
+  return isOver ? nothing : html`<p class="way">The problem can be opened once its goal is found.</p>`;
 }
 
 /** The question with all that belongs to it. */
 const asked = (
   exercise: Exercise,
   question: Question,
+  onPaper: boolean,
 ): TemplateResult => html`<p class="question" id="exercise-question">${question.question}</p>
     <div class="asked">
       <div class="picture">${pictures(exercise, question)} ${pictureSigns(question)} ${problemInWords(question)}</div>
       <form class="answer" aria-describedby="exercise-question" @submit=${(event: Event) => event.preventDefault()}>
-        ${answerForm(exercise, question)}
+        ${onPaper ? answerOnPaper(exercise, question) : nothing} ${answerForm(exercise, question)}
         <div class="actions">
           <button type="button" class="primary" aria-disabled=${String(!exercise.canTry.value)} @click=${() => void exercise.check()}>
             Check the answer</button>
@@ -75,7 +80,8 @@ const asked = (
         <div role="status" class="verdict">${said(exercise)}</div>
         ${codeField(exercise)}
       </form>
-    </div>`;
+    </div>
+    ${onPaper ? wordsOnPaper(question) : nothing}`;
 
 const boardNames = { actor: "The agent", adversarial: "The enemy", cooperative: "The friend" };
 const boardWords = {

@@ -2,11 +2,11 @@
 import { symbolFor } from "../../problem/delivery-sensor.js";
 import type { DeliveryDocument, Role } from "../../problem/types.js";
 import { roles } from "../../view/observers.js";
-import { listed, toldText, trueGoalText, who } from "./sensor.js";
+import { type InWords, listed, toldText, trueGoalText, who } from "./sensor.js";
 
-export function deliveryInWords(document: DeliveryDocument): string[] {
+export function deliveryInWords(document: DeliveryDocument): InWords {
   const { factories, deliver, true_goal } = document;
-  return [
+  const sentences = [
     ...factories.map(
       ({ name, packages }) =>
         `At the factory ${name} lie${packages.length === 1 ? "s" : ""} ${listed(packages) || "no packages"}.`,
@@ -14,9 +14,9 @@ export function deliveryInWords(document: DeliveryDocument): string[] {
     `The truck is empty at first. It loads ${deliver} of the packages, one after another, and then delivers them.`,
     `Goals: each set of ${deliver} packages.`,
     ...trueGoalText(true_goal),
-    "The observers know what lies where at first.",
-    ...roles.map((role) => toldOf(document, role)),
   ];
+  const told = roles.map((role) => toldOf(document, role));
+  return { sentences, told: { sentences: ["The observers know what lies where at first.", ...told] } };
 }
 
 function toldOf({ factories, observers }: DeliveryDocument, role: Role): string {

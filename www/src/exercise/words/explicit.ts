@@ -33,29 +33,27 @@ export function explicitInWords(document: ExplicitWords): InWords {
           : `The goal ${goal.name} holds in ${listed(goal.states)}.`,
       ),
       ...trueGoalText(true_goal),
-      ...roles.map((role) => watcherText(role, observers[role], few)),
     ],
-    texts: few
-      ? []
-      : [
-          { title: "What can be done", text: steps.join("\n") },
-          ...roles.map((role) => ({
-            title: `What the ${role === "adversarial" ? "enemy" : "friend"} is told`,
-            text: observers[role].sensor
-              .map(([action, to, symbol]) => `“${symbol}” for ${action} into ${to}`)
-              .join("\n"),
-          })),
-        ],
+    texts: few ? [] : [{ title: "What can be done", text: steps.join("\n") }],
+    told: {
+      sentences: roles.flatMap((role) => watcherTexts(role, observers[role], few)),
+      texts: few ? [] : roles.map((role) => ({ title: `${who(role)} is told`, text: table(observers[role].sensor) })),
+    },
   };
 }
 
-function watcherText(role: Role, { initial_belief, sensor }: ExplicitWords["observers"][Role], few: boolean): string {
+const table = (sensor: readonly Transition[]): string =>
+  sensor.map(([action, to, symbol]) => `“${symbol}” for ${action} into ${to}`).join("\n");
+
+function watcherTexts(
+  role: Role,
+  { initial_belief, sensor }: ExplicitWords["observers"][Role],
+  few: boolean,
+): string[] {
   const begins =
     initial_belief === undefined
       ? `${who(role)} knows the first state`
       : `At first ${who(role).toLowerCase()} does not know the first state: it may be ${listed(initial_belief, "or")}`;
-  const told = few
-    ? ` ${who(role)} is told ${toldText(sensor.map(([action, to, symbol]) => [`${action} into ${to}`, symbol]))}.`
-    : "";
-  return `${begins}.${told}`;
+  const told = toldText(sensor.map(([action, to, symbol]) => [`${action} into ${to}`, symbol]));
+  return [`${begins}.`, ...(few ? [`${who(role)} is told ${told}.`] : [])];
 }

@@ -4,7 +4,7 @@ import { cellText } from "../../problem/cells.js";
 import type { FloorDocument, Role } from "../../problem/types.js";
 import { roles } from "../../view/observers.js";
 import { placeText, stateText } from "../state-text.js";
-import { listed, type Sentence, toldText, trueGoalText, who } from "./sensor.js";
+import { type InWords, listed, type Sentence, toldText, trueGoalText, who } from "./sensor.js";
 
 type Parts = Record<string, unknown>;
 
@@ -23,16 +23,19 @@ const inGoal: Record<FloorDocument["format"], string> = {
   "recycling-robot": "Goals, each a cell for the can: there is a bin",
 };
 
-export function floorInWords(document: FloorDocument): Sentence[] {
+export function floorInWords(document: FloorDocument): InWords {
   const { width, height, walls = [], goals, true_goal, observers } = document;
-  return [
+  const sentences = [
     `${width} columns from the left, ${height} rows from the top, both counted from 0.`,
     ...(walls.length === 0 ? [] : [`Walls: ${cells(walls)}.`]),
     ...startOf(document),
     `${inGoal[document.format]}: ${goals.map(({ name, cell }) => `${name} at ${cellText(cell)}`).join("; ")}.`,
     ...trueGoalText(true_goal),
-    ...roles.flatMap((role) => watcherText(role, observers[role], document.start)),
   ];
+  return {
+    sentences,
+    told: { sentences: roles.flatMap((role) => watcherText(role, observers[role], document.start)) },
+  };
 }
 
 function startOf(document: FloorDocument): string[] {

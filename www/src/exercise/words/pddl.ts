@@ -37,12 +37,12 @@ export function pddlInWords({ domain, problem, goals, true_goal, observers }: Pd
       `At first these hold, and nothing else: ${init.length === 0 ? "nothing" : init.join(", ")}.`,
       ...goals.map(({ name, condition }) => `The goal ${name}: ${condition}.`),
       ...trueGoalText(true_goal),
-      ...roles.flatMap((role) => watcherTexts(role, observers[role])),
     ],
     texts: [
       { title: "The actions, in PDDL", text: textOf(domain) },
       { title: "The objects and the first state, in PDDL", text: textOf(problem) },
     ],
+    told: { sentences: roles.flatMap((role) => watcherTexts(role, observers[role])) },
   };
 }
 

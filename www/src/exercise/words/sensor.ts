@@ -4,11 +4,25 @@ import { called, type Role } from "../../view/observers.js";
 /** A sentence; one that ends in a colon goes on with a list. */
 export type Sentence = string | { said: string; each: readonly string[] };
 
+/** A text that is read as it is. */
+export interface Verbatim {
+  title: string;
+  text: string;
+}
+
+/** What the observers know at first and are told of each action. */
+export interface Told {
+  sentences: readonly Sentence[];
+  /** What is a table. */
+  texts?: readonly Verbatim[];
+}
+
 /** A problem in words. */
 export interface InWords {
+  /** Where all begins, what can be done, and the goals. */
   sentences: readonly Sentence[];
-  /** Texts that are read as they are, each with its title. */
-  texts?: readonly { title: string; text: string }[];
+  texts?: readonly Verbatim[];
+  told: Told;
 }
 
 export const who = (role: Role): string => `The ${called[role]}`;
