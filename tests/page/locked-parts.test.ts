@@ -52,6 +52,16 @@ test("what the question hides of beliefs stays hidden in its problem until it is
     const seen = () =>
       page.evaluate(() => document.querySelectorAll("[data-board=adversarial], [data-board=cooperative]").length);
     assert.equal(await seen(), 0);
+    // What is painted on these boards has no tool.
+    const tools = page.locator(".toolbar .tools button");
+    assert.deepEqual(await tools.evaluateAll((all) => all.map(({ textContent }) => textContent?.trim())), [
+      "Move",
+      "Walls",
+    ]);
+    assert.equal(
+      await page.locator(".toolbar .about").textContent(),
+      "Drag the start or a goal. Locked by the exercise: walls stay as they are.",
+    );
     // Nor does the agent's board say what is possible for them: no mark, no word, no attribute, and none explained.
     const told = "[data-adversarial], [data-cooperative], .board .mark, .legend";
     assert.equal(await page.locator(told).count(), 0);
@@ -80,6 +90,7 @@ test("what the question hides of beliefs stays hidden in its problem until it is
     await page.getByText("Right.", { exact: true }).waitFor();
     await press(page, "Open the problem in the playground");
     await page.locator("[data-board=adversarial]").waitFor();
+    assert.equal(await tools.count(), 4);
     await page.locator("[data-board=actor] .goal[data-adversarial]").first().waitFor();
     assert.equal(await page.getByText("So is what the enemy and the friend believe.").count(), 0);
   }));

@@ -10,11 +10,12 @@ export interface ToolbarStores extends ToolStores {
 
 export function toolbar(playground: ToolbarStores): TemplateResult | "" {
   const {
-    problem: { history, canReset },
+    problem,
     boards: { scene, mode },
   } = playground;
+  const { history, canReset } = problem;
   if (scene.value === null) return "";
-  const offered = toolsFor(scene.value.format);
+  const offered = toolsFor(scene.value.format, problem);
   const resting = mode.value !== "plan";
   const tool = toolInHand(playground);
   const act = (name: string, icon: TemplateResult, possible: boolean, action: () => void) =>

@@ -57,10 +57,9 @@ export function useOf(tool: Tool, { problem }: Pick<ToolStores, "problem">): { a
   if (!possible) return { about: lockedText(locked), possible };
   if (tool !== "move") return { about: painting[tool], possible };
   const names = Object.entries(movable[format] ?? {}).flatMap(([key, names]) => (locked.includes(key) ? [] : names));
-  const walls = locked.includes("walls")
-    ? []
-    : [names.length === 0 ? "a wall on the agent’s board" : "a wall on the agent’s"];
-  const things = names.length === 0 ? [] : [`${either(names)} on any board`];
+  const [anywhere, wall] = problem.veiled.value ? ["", "a wall"] : [" on any board", "a wall on the agent’s"];
+  const walls = locked.includes("walls") ? [] : [names.length === 0 ? "a wall on the agent’s board" : wall];
+  const things = names.length === 0 ? [] : [`${either(names)}${anywhere}`];
   const drag = `Drag ${[...things, ...walls].join(", or ")}.`;
   const rest = locked.length > 0 ? ` ${lockedText(locked)}` : "";
   return { about: `${drag}${problem.closed.value ? "" : " The best plan follows at once."}${rest}`, possible };
@@ -106,14 +105,24 @@ const floors: readonly ProblemDocument["format"][] = ["gridworld", "box-pushing"
 
 export const isFloor = (document: ProblemDocument): document is FloorDocument => floors.includes(document.format);
 
-/** Where a robot stands is not all that is believed of it: its first beliefs are written as text. */
-export const toolsFor = (format: ProblemDocument["format"]): readonly Tool[] =>
-  format === "gridworld" ? tools : floors.includes(format) ? ["move", "walls"] : [];
+const onAgentsBoard: readonly Tool[] = ["move", "walls"];
+
+/**
+ * Where a robot stands is not all that is believed of it: its first beliefs are written as text. Where the observers' boards
+ * are veiled, nothing can be painted on them.
+ */
+export const toolsFor = (
+  format: ProblemDocument["format"],
+  { veiled }: Pick<OpenProblem, "veiled">,
+): readonly Tool[] => {
+  if (!floors.includes(format)) return [];
+  return format === "gridworld" && !veiled.value ? tools : onAgentsBoard;
+};
 
 /** The tool in the hand; one that the problem open now has no use for, or that is locked, is put down. */
 export const toolInHand = ({ editing, problem }: Pick<ToolStores, "editing" | "problem">): Tool => {
   const tool = editing.tool.value;
-  const offered = problem.latest !== null && toolsFor(problem.latest.format).includes(tool);
+  const offered = problem.latest !== null && toolsFor(problem.latest.format, problem).includes(tool);
   return offered && useOf(tool, { problem }).possible ? tool : "move";
 };
 
