@@ -334,11 +334,13 @@ test("it tells the page of steps and answers", () =>
     const [last, id, outcome] = first.at(-1) ?? assert.fail();
     assert.deepEqual([last, id, outcome.status], ["mo-copp-outcome", "one", "optimal"]);
     assert.equal(outcome.goal_difference, 1);
+    assert.deepEqual(steps.map(([, , { step, ended }]) => [step, ended]).at(-1), [5, true]);
     await page.getByRole("button", { name: "Back one step" }).click();
     await page.waitForSelector('#one[data-step="4"]');
     const [name, , detail] = (await told()).at(-1) ?? assert.fail();
     assert.equal(name, "mo-copp-step");
     assert.deepEqual([detail.step, detail.steps, detail.action], [4, 5, "east"]);
+    assert.equal(detail.ended, false, "a step of the plan before its end");
     assert.equal((await told()).length, first.length + 1);
   }));
 

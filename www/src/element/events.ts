@@ -15,7 +15,10 @@ export interface StepDetail {
   symbols: ByObserver<string | null>;
   /** Possible for each observer. */
   goals: ByObserver<string[]>;
+  /** That of a plan that stops at this step; 0 while a goal is being guessed. */
   goal_difference: number;
+  /** The step is the end of a plan for the true goal, where alone the page shows a goal difference. */
+  ended: boolean;
 }
 
 /** The detail of `mo-copp-answer`. */
@@ -67,6 +70,7 @@ export class Notifier {
         symbols: shown.symbols,
         goals: shown.goals,
         goal_difference: shown.goal_difference,
+        ended: boards.ended.value,
       };
       const told = JSON.stringify(detail);
       if (told !== this.step) this.send("mo-copp-step", detail);

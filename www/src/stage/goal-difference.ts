@@ -16,13 +16,13 @@ export interface GoalDifferenceStores extends BestPossibleStores, InvitationStor
  */
 export function goalDifference(playground: GoalDifferenceStores): TemplateResult | "" {
   const scene = playground.boards.scene.value;
-  const { shown, step, lastStep } = playground.timeline;
+  const { shown } = playground.timeline;
   if (scene === null || shown.value === null) return "";
   const { adversarial, cooperative } = shown.value.goals;
   const counts = [adversarial.length, cooperative.length, scene.goals.length] as const;
   const walking = playground.boards.mode.value === "walk";
   const final = playground.boards.difference.value;
-  const atEnd = final !== null && step.value === lastStep.value;
+  const atEnd = final !== null && playground.boards.ended.value;
   const none = isImpossible(playground) && !walking;
   const waiting = playground.answer.status.value === "solving" ? "Looking for a plan." : "No plan yet.";
   // That there can be no plan is said beside it.

@@ -21,6 +21,8 @@ export class Boards {
   readonly story: GoalStory;
   /** The goal difference at the end of the plan shown; null while there is none. */
   readonly difference: ReadonlySignal<number | null>;
+  /** The step shown is the end of a plan for the true goal: a goal difference is of that, and of no step before. */
+  readonly ended: ReadonlySignal<boolean>;
   /** They are told when the answer of a solver takes the place of what was shown. */
   readonly replaced = new Set<() => void>();
   private readonly hasPlan = signal(false);
@@ -47,6 +49,7 @@ export class Boards {
       const trace = timeline.trace.value;
       return trace?.valid && this.hasPlan.value ? trace.goal_difference : null;
     });
+    this.ended = computed(() => this.difference.value !== null && timeline.step.value === timeline.lastStep.value);
   }
 
   /** Shows what a solver answered, or the start while it has not: whatever was played is over. */
