@@ -1,6 +1,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { documentation } from "./scripts/documentation/plugin.mjs";
+import { exercises } from "./scripts/exercises/plugin.mjs";
 import { learn } from "./scripts/learn/plugin.mjs";
 import { openingAnswer } from "./scripts/page/opening-answer.mjs";
 import { stylesInElement } from "./scripts/page/styles.mjs";
@@ -28,7 +29,15 @@ export default defineConfig({
   root: here("www"),
   // Relative addresses: the page works under any sub-path.
   base: "./",
-  plugins: [policyInBuildOnly(), stylesInElement(), openingAnswer(), documentation(), learn(), licences.page],
+  plugins: [
+    policyInBuildOnly(),
+    stylesInElement(),
+    openingAnswer(),
+    documentation(),
+    exercises(),
+    learn(),
+    licences.page,
+  ],
   // One script that is a module worker on its own host and a classic one elsewhere.
   worker: { format: "iife", plugins: () => [withoutAddress(), licences.worker] },
   build: {

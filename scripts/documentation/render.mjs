@@ -31,6 +31,10 @@ const anchor = (text) =>
 const plain = (tokens) =>
   tokens.map((token) => (token.tokens === undefined ? (token.text ?? "") : plain(token.tokens))).join("");
 
+/** An exercise is opened in the playground of the site; its file stands beside that. */
+const toExercise = (name, text) =>
+  `<a href="../index.html?src=exercises/${name}.json">${text}</a> (<a href="../exercises/${name}.json" aria-label="file of ${name}">file</a>)`;
+
 const marked = new Marked({
   gfm: true,
   renderer: {
@@ -38,6 +42,8 @@ const marked = new Marked({
       return `<h${depth} id="${escaped(anchor(plain(tokens)))}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
     },
     link({ href, title, tokens }) {
+      const [, exercise] = /^\.\.\/examples\/exercises\/([\w-]+)\.json$/.exec(href) ?? [];
+      if (exercise !== undefined) return toExercise(exercise, this.parser.parseInline(tokens));
       // The documents stand beside each other as pages.
       const address = /^[a-z]+:/.test(href) ? href : href.replace(/\.md(?=#|$)/, ".html");
       const titled = title ? ` title="${escaped(title)}"` : "";

@@ -1,6 +1,7 @@
-// The npm package: the element, the solver, the one script, the article, types, the manifest of the element, and licences.
+// The npm package: the element, the solver, the one script, the article, the exercises, types, the manifest of the element, and licences.
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { exerciseFiles } from "../exercises/files.mjs";
 import { dist, inRoot, wasmPackage } from "../lib/paths.mjs";
 import { run } from "../lib/run.mjs";
 import { copyArticle } from "./article.mjs";
@@ -24,6 +25,8 @@ export async function buildPackage() {
   copyScripts();
   writeFileSync(to("element", "types.d.ts"), elementTypes());
   copyArticle(to("learn"));
+  mkdirSync(to("exercises"));
+  for (const [name, text] of exerciseFiles()) writeFileSync(to("exercises", name), text);
   const { version } = JSON.parse(readFileSync(inRoot("package.json"), "utf8"));
   const described = JSON.parse(readFileSync(to("package.json"), "utf8"));
   writeFileSync(to("package.json"), `${JSON.stringify({ ...described, version }, null, 2)}\n`);

@@ -12,7 +12,7 @@ const ALL_TALK = 10;
 
 /** Minutes of each exercise by its number. */
 const minutes = new Map(
-  [...lesson.matchAll(/^\| `(\d\d)-[^|]*\|.*\| (\d+) \|$/gm)].map(([, number = "", time]) => [number, Number(time)]),
+  [...lesson.matchAll(/^\| \[`(\d\d)-[^|]*\|.*\| (\d+) \|$/gm)].map(([, number = "", time]) => [number, Number(time)]),
 );
 
 const slots = [...lesson.matchAll(/^\| (\d+)–(\d+) \|.*\| ([\d, ]+) \|$/gm)].map(([, begin, end, exercises = ""]) => ({

@@ -17,6 +17,7 @@ import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { after, before, test } from "node:test";
 import { build } from "vite";
+import { exerciseFiles } from "../../scripts/exercises/files.mjs";
 import { childEnvironment } from "../../scripts/lib/environment.mjs";
 import { dist, nodeModules, root } from "../../scripts/lib/paths.mjs";
 import { serve } from "../../scripts/lib/static-server.mjs";
@@ -243,6 +244,19 @@ test("a release is written into one folder, with what it promises: checksums, ha
   }
   for (const file of ["Cargo.lock", "README.md", "LICENSE-MIT", "LICENSE-APACHE", "src/main.rs"])
     assert(crate.has(file), `the crate has ${file}`);
+});
+
+test("the exercises are in it, as files and by import", () => {
+  const files = exerciseFiles();
+  assert.deepEqual(
+    readdirSync(join(packageFolder, "exercises")).sort(),
+    files.map(([name]) => name),
+  );
+  for (const [name, text] of files) assert.equal(readFileSync(join(packageFolder, "exercises", name), "utf8"), text);
+  const kind = program(`
+    import { createRequire } from "node:module";
+    console.log(createRequire(import.meta.url)("mo-copp/exercises/01-possible-goals.json").exercise.kind);`);
+  assert.equal(kind, "possible-goals");
 });
 
 test("the article is in it, with live figures and no link that leads nowhere", async () => {
