@@ -65,6 +65,8 @@ test("an empty plan is the plan without actions", () =>
 test("a solver that can't be started is said to be that, and is tried again by one click", () =>
   visit(
     async ({ page }) => {
+      // The first problem comes with its answer; any other takes a solver.
+      await open(page, "problem=corridor");
       await statusIs(page, "error");
       const words = (await alert(page).textContent()) ?? "";
       assert.match(
