@@ -160,3 +160,24 @@ test("a document that can't be had is said with its address and what helps, and 
     },
     { quiet: false },
   ));
+
+test("a document that does not come is told of while it is waited for, and then given up, to be tried again", () =>
+  visit(
+    async ({ page }) => {
+      await page.clock.install();
+      await page.route("**/slow.json", () => undefined);
+      await lesson(page, 'src="slow.json"');
+      await page.locator("#one").waitFor();
+      const says = async (text: string) => {
+        while (!(await alert(page).getByText(text).isVisible())) await page.clock.runFor(1000);
+      };
+      await says("Still waiting for the problem document “slow.json”.");
+      await says("did not answer in 30 seconds.");
+      await page.unroute("**/slow.json");
+      home.own.set("lesson/slow.json", { body: grid() });
+      await again(page).click();
+      while (!(await page.locator("#one[data-status=optimal]").isVisible())) await page.clock.runFor(100);
+      assert.equal(await page.getByText("did not answer").count(), 0);
+    },
+    { quiet: false },
+  ));
