@@ -498,9 +498,15 @@ fn codes_are_found_in_the_only_column_that_has_any_or_in_the_one_that_is_named()
     let both = format!("first,second\n{},{}\n", code(3), code(4));
     let ran = mo_copp(&both, &["grade", document, "-"]);
     assert_eq!(ran.code, 2);
-    assert!(ran.err.contains("expected a column code, or its name after --code"), "{}", ran.err);
+    let refused = "found codes in 2 columns, first and second, expected a column code, or its name after --code";
+    assert!(ran.err.contains(refused), "{}", ran.err);
+    assert_eq!(ran.out, "");
+    // One code a row, now here and now there.
+    let scattered = format!("name,Answer,Old\nAda,{},-\nAlan,-,{}\n", code(3), code(4));
+    let ran = mo_copp(&scattered, &["grade", document, "-"]);
+    assert!(ran.err.contains("2 columns, Answer and Old"), "{}", ran.err);
     let ran = mo_copp(&both, &["grade", document, "-", "--code", "second"]);
     assert_eq!(rows(&ran.out)[0]["seed"], "4");
     let ran = mo_copp(&both, &["grade", document, "-", "--code", "third"]);
-    assert!(ran.err.contains("expected a column third"), "{}", ran.err);
+    assert!(ran.err.contains("found no column third, expected one of that name"), "{}", ran.err);
 }

@@ -181,7 +181,7 @@ test("while the question of the page is on its way, no file takes its place", as
       await route.continue();
     });
     await page.goto(at);
-    await page.locator("mo-copp-playground[data-status]").waitFor();
+    await page.getByText("Loading…").first().waitFor();
     await hear(page);
     await drop(page, "mo-copp-playground", { files: [{ name: "mine.json", text: exerciseText(other) }] });
     await page.getByText("still being opened: no file takes its place").first().waitFor();

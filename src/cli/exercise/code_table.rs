@@ -53,31 +53,37 @@ impl CodeTable {
             None => SEPARATORS.to_vec(),
         };
         let wanted = named_code.unwrap_or("code");
-        let mut wrong = None;
-        for &separator in &separators {
-            let mut records = Records::new(text, separator).after(lines_before);
+        let records = |separator| Records::new(text, separator).after(lines_before);
+        // A table without such a name has the separator that makes the most columns of its first line.
+        let mut most: Option<(u8, Vec<String>)> = None;
+        for separator in separators {
+            let mut records = records(separator);
             let head = head_of(&mut records);
             if let Some(code) = column(&head, wanted)? {
                 return Self::with_codes_in(code, head, records, separator);
             }
-            // What is said is how the table looks with the separator that it is most likely to have.
-            let most = wrong.as_ref().is_none_or(|seen: &Vec<String>| head.len() > seen.len());
-            wrong = if most { Some(head) } else { wrong };
-        }
-        for separator in separators.into_iter().filter(|_| named_code.is_none()) {
-            let records = || Records::new(text, separator).after(lines_before);
-            if let Some(code) = column_with_codes(records()) {
-                let mut records = records();
-                let head = head_of(&mut records);
-                return Self::with_codes_in(code, head, records, separator);
+            if most.as_ref().is_none_or(|(_, seen)| head.len() > seen.len()) {
+                most = Some((separator, head));
             }
         }
-        let found = wrong.unwrap_or_default().join(",");
-        let expected = match named_code {
-            Some(name) => format!("a column {name}"),
-            None => "a column code, or its name after --code".to_owned(),
+        let line = lines_before + 1;
+        let Some((separator, head)) = most.filter(|_| named_code.is_none()) else {
+            return Err((line, format!("found no column {wanted}, expected one of that name")));
         };
-        Err((lines_before + 1, format!("found {found:?}, expected {expected}")))
+        let columns = columns_with_codes(records(separator));
+        if let [code] = columns[..] {
+            let mut records = records(separator);
+            records.next();
+            return Self::with_codes_in(code, head, records, separator);
+        }
+        let found = match &columns[..] {
+            [] => format!("{:?}", head.join(",")),
+            several => {
+                let names: Vec<&str> = several.iter().map(|&place| &head[place][..]).collect();
+                format!("codes in {} columns, {}", several.len(), names.join(" and "))
+            }
+        };
+        Err((line, format!("found {found}, expected a column code, or its name after --code")))
     }
 
     fn with_codes_in(
@@ -127,8 +133,8 @@ fn head_of(records: &mut Records<'_>) -> Vec<String> {
     records.next().map_or_else(Vec::new, |record| shown(&record.fields))
 }
 
-/// The only column in which a code stands.
-fn column_with_codes(mut records: Records<'_>) -> Option<usize> {
+/// The columns in which a code stands.
+fn columns_with_codes(mut records: Records<'_>) -> Vec<usize> {
     let mut columns = BTreeSet::new();
     let width = head_of(&mut records).len();
     for record in records {
@@ -137,7 +143,7 @@ fn column_with_codes(mut records: Records<'_>) -> Option<usize> {
             |field: &String| matches!(Cell::read(field), Cell::Code(code) if is_whole(&code));
         columns.extend(fields.filter(|(_, field)| has_code(field)).map(|(place, _)| place));
     }
-    columns.pop_first().filter(|_| columns.is_empty())
+    columns.into_iter().collect()
 }
 
 /// Fields as they are printed.

@@ -226,7 +226,8 @@ async function openProblem(
 ): Promise<boolean> {
   const { gallery } = playground;
   if (src !== null) {
-    const late = setTimeout(() => wanted() && playground.solving.remark(notYet(src)), LATE_MS);
+    const isSilent = () => wanted() && playground.answer.error.value === null;
+    const late = setTimeout(() => isSilent() && playground.solving.remark(notYet(src)), LATE_MS);
     const { text, fault, mayCome } = await fetched(src);
     clearTimeout(late);
     if (!wanted()) return false;
