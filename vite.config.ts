@@ -4,6 +4,7 @@ import { documentation } from "./scripts/documentation/plugin.mjs";
 import { exercises } from "./scripts/exercises/plugin.mjs";
 import { learn } from "./scripts/learn/plugin.mjs";
 import { openingAnswer } from "./scripts/page/opening-answer.mjs";
+import { partialDocuments } from "./scripts/page/partial-documents.mjs";
 import { stylesInElement } from "./scripts/page/styles.mjs";
 import { withoutAddress } from "./scripts/page/without-address.mjs";
 import { thirdParty } from "./scripts/third-party/plugin.mjs";
@@ -31,6 +32,7 @@ export default defineConfig({
   base: "./",
   plugins: [
     policyInBuildOnly(),
+    partialDocuments(),
     stylesInElement(),
     openingAnswer(),
     documentation(),

@@ -63,6 +63,18 @@ test("where there is no document, the element's modules do nothing, and the prog
   assert.equal(names, "MoCoppPlayground inside");
 });
 
+test("a document that makes no elements, as some renderers have, is as none", () => {
+  for (const stub of ["{}", "{ head: {}, documentElement: {} }"]) {
+    const names = program(`
+      globalThis.document = ${stub};
+      globalThis.window = globalThis;
+      const element = await import("mo-copp");
+      await import("mo-copp/single");
+      console.log(Object.keys(element).join(" "));`);
+    assert.equal(names, "MoCoppPlayground inside", stub);
+  }
+});
+
 test("the solver solves in Node, and names what is wrong", () => {
   const told = program(`
     import { load, Problem, solve } from "mo-copp/core";
