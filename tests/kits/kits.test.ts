@@ -4,24 +4,10 @@ import { spawnSync } from "node:child_process";
 import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import type { Page } from "playwright-core";
-import { dist, inRoot, nodeModules } from "../../scripts/lib/paths.mjs";
-import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
+import { inRoot, nodeModules } from "../../scripts/lib/paths.mjs";
 import { visit } from "../page/support/browser.js";
-import { grid } from "../page/support/documents.js";
 import { startHost } from "../page/support/host.js";
-import { addPage, copyOf, python, served } from "./support/site.js";
-
-/** Browsers ask for a picture of the site that no kit has. */
-const kit = { before: (page: Page) => page.route("**/favicon.ico", (route) => route.fulfill({ status: 204 })) };
-
-const onePixel = Buffer.from(
-  "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==",
-  "base64",
-);
-
-const ready = (page: Page, more = "", id = "#lab") =>
-  page.waitForSelector(`${id}:is([data-status=optimal], [data-status=solved])${more}`);
+import { addPage, copyOf, kit, python, ready, served } from "./support/site.js";
 
 /** The element's attributes, as the tables of the guide list them. */
 function attributes(): string[] {
@@ -72,127 +58,6 @@ test("plain HTML: the page, its prose, and the playground far below", () =>
     await page.locator("#later").scrollIntoViewIfNeeded();
     await ready(page, "", "#later");
   }, kit));
-
-test("pandoc with Quarto's filter: HTML gets the element, LaTeX the picture or the text", () =>
-  visit(async ({ page }) => {
-    const folder = copyOf("quarto");
-    addPage(join(folder, "mo-copp"));
-    writeFileSync(join(folder, "corridor.png"), onePixel);
-    const convert = (to: string, ...more: string[]) =>
-      python(
-        [
-          "-c",
-          "import pypandoc, sys; print(pypandoc.convert_file('page.md', sys.argv[1], extra_args=sys.argv[2:]))",
-          to,
-          "--lua-filter",
-          "mo-copp.lua",
-          ...more,
-        ],
-        folder,
-      );
-    const html = convert("html", "--standalone");
-    assert.equal(html.match(/<script type="module"/g)?.length, 1);
-    assert(!html.includes("onclick"));
-    writeFileSync(join(folder, "page.html"), html);
-    await page.goto(`${await served(folder)}page.html`);
-    await ready(page, '[data-gd="1"]');
-    // The picture stands for the playground until it runs.
-    const poster = page.locator('#lab img[src="corridor.png"]');
-    assert.equal(await poster.getAttribute("alt"), "The agent walks one step past the door, and back.");
-    assert.equal(await poster.isVisible(), false);
-    const latex = convert("latex");
-    assert.match(latex, /includegraphics.*corridor\.png/);
-    assert.match(latex, /\\caption\{The agent walks one step past the door, and back\.\}/);
-    assert.match(latex, /Two packages from factory A\./);
-    assert(!latex.includes("mo-copp-playground"));
-    // Quarto loads the filter beside its own functions for shortcodes.
-    writeFileSync(join(folder, "in-quarto.lua"), 'quarto = { shortcode = {} }\nreturn dofile("mo-copp.lua")');
-    const inQuarto = python(
-      [
-        "-c",
-        "import pypandoc; print(pypandoc.convert_file('page.md', 'html', extra_args=['--lua-filter', 'in-quarto.lua']))",
-      ],
-      folder,
-    );
-    assert.equal(inQuarto.match(/<mo-copp-playground /g)?.length, 2);
-  }, kit));
-
-test("Quarto's shortcode gives the same element", () => {
-  // Quarto itself is not to be had here: its call is made by pandoc's Lua.
-  const folder = copyOf("quarto");
-  const called = (format: string) => {
-    writeFileSync(
-      join(folder, "call.lua"),
-      `FORMAT = "${format}"
-       quarto = { shortcode = {} }
-       local shortcodes = dofile("mo-copp-shortcode.lua")
-       local blocks = shortcodes["mo-copp"]({}, { problem = pandoc.Inlines("head-fake"), picture = pandoc.Inlines("fake.pdf"), seed = pandoc.Inlines("7"), caption = pandoc.Inlines("A \\"fake\\"") }, {})
-       local text = pandoc.write(pandoc.Pandoc(blocks), FORMAT)
-       function Pandoc() return pandoc.Pandoc({ pandoc.RawBlock("html", text) }) end`,
-    );
-    const call =
-      "import pypandoc; print(pypandoc.convert_text('', 'html', format='markdown', extra_args=['--lua-filter', 'call.lua']))";
-    return python(["-c", call], folder);
-  };
-  const html = called("html");
-  assert.match(
-    html,
-    /<script type="module" src="mo-copp\/mo-copp-playground\.js"><\/script>\s*<mo-copp-playground problem="head-fake" seed="7">/,
-  );
-  // A PDF is for paper alone.
-  assert(!html.includes("fake.pdf"), html);
-  assert.match(html, /<\/mo-copp-playground>/);
-  const latex = called("latex");
-  assert.match(latex, /includegraphics.*fake\.pdf/);
-  assert.match(latex, /\\caption\{A ["“`]+fake["”']+\}/);
-});
-
-test("Quarto finds in its extension a shortcode and a filter, each in a file of its own", () => {
-  const extension = readFileSync(inRoot("kits", "quarto", "_extension.yml"), "utf8");
-  const named = (kind: string) => new RegExp(`^  ${kind}:\\n    - (.+)$`, "m").exec(extension)?.[1] ?? "";
-  const source = (file: string) => readFileSync(inRoot("kits", "quarto", file), "utf8");
-  assert.match(source(named("shortcodes")), /return \{ \["mo-copp"\] = shortcode \}/);
-  assert.match(source(named("filters")), /\{ Div = division \}/);
-});
-
-test("MkDocs with Material: instant navigation and the switch to dark", () =>
-  visit(
-    async ({ page }) => {
-      const folder = copyOf("mkdocs");
-      addPage(join(folder, "docs", "mo-copp"));
-      python(["-m", "mkdocs", "build", "--quiet", "--site-dir", "site"], folder);
-      const address = await served(join(folder, "site"));
-      await page.goto(address);
-      await page.getByRole("link", { name: "The corridor" }).last().click();
-      await ready(page, '[data-gd="1"]');
-      assert.equal(await page.locator("#lab").getAttribute("data-scheme"), "light");
-      await page.evaluate(() => document.body.setAttribute("data-md-color-scheme", "slate"));
-      await page.waitForSelector("#lab[data-scheme=dark]");
-      const size = await page
-        .locator("#lab .title")
-        .evaluate((part) => Number.parseFloat(getComputedStyle(part).fontSize));
-      assert(size < 18, `${size}`);
-      await page.getByRole("link", { name: "Back" }).click();
-      await page.waitForSelector("#lab", { state: "detached" });
-    },
-    { ...kit, quiet: false },
-  ));
-
-test("Sphinx with the theme of Read the Docs: HTML gets the element, text its words", () =>
-  visit(
-    async ({ page, requests }) => {
-      const folder = copyOf("sphinx");
-      addPage(join(folder, "_static", "mo-copp"));
-      for (const builder of ["html", "text"])
-        python(["-m", "sphinx", "-q", "-b", builder, ".", `_build/${builder}`], folder);
-      await page.goto(`${await served(join(folder, "_build", "html"))}index.html`);
-      await ready(page, '[data-gd="1"]');
-      const scripts = requests.filter((request) => request.includes("_static/mo-copp/mo-copp-playground.js"));
-      assert.equal(scripts.length, 1, scripts.join(" "));
-      assert.match(readFileSync(join(folder, "_build", "text", "index.txt"), "utf8"), /one step past the door/);
-    },
-    { ...kit, quiet: false },
-  ));
 
 test("reveal.js: an arrow key turns the slide or the step, and never both", () =>
   visit(
@@ -265,83 +130,6 @@ test("Docusaurus: the component's page, and its switch", () =>
     await ready(page, "[data-scheme=dark]");
     await page.evaluate(() => document.documentElement.setAttribute("data-theme", "light"));
     await page.waitForSelector("#lab[data-scheme=light]");
-  }, kit));
-
-test("anywidget: Python's side has what is synchronised, and the browser's synchronises it", () =>
-  visit(async ({ page }) => {
-    const folder = copyOf("anywidget");
-    cpSync(join(dist, "mo-copp-playground.single.js"), join(folder, "mo-copp-playground.single.js"));
-    const told = python(
-      [
-        "-c",
-        `import json
-notebook = {}
-for cell in json.load(open("page.ipynb"))["cells"]:
-    if cell["cell_type"] == "code": exec("".join(cell["source"]), notebook)
-state = notebook["lab"].get_state()
-print(json.dumps({name: state[name] for name in ("problem", "hide", "theme", "solver", "document", "plan", "step", "outcome")} | {"script": len(state["_script"])}))`,
-      ],
-      folder,
-    );
-    const { script, ...state } = JSON.parse(told);
-    assert(script > 1_000_000);
-    assert.equal(state.step, 2);
-    // A stand-in for the notebook's model.
-    writeFileSync(
-      join(folder, "notebook.html"),
-      `<!doctype html><html lang="en"><title>Notebook</title><div id="out"></div><script type="module">
-        import widget from "./mo_copp_widget.js";
-        const values = { ...${JSON.stringify(state)}, _script: await (await fetch("mo-copp-playground.single.js")).text() };
-        const listeners = {};
-        window.model = {
-          values,
-          get: (name) => values[name],
-          set: (name, value) => { values[name] = value; },
-          save_changes: () => {},
-          on: (name, listener) => (listeners[name] ??= []).push(listener),
-          python: (name, value) => { values[name] = value; (listeners["change:" + name] ?? []).forEach((listener) => listener()); },
-        };
-        window.undo = await widget.render({ model: window.model, el: document.querySelector("#out") });
-      </script></html>`,
-    );
-    await page.goto(`${await served(folder)}notebook.html`);
-    await ready(page, '[data-step="2"]', "mo-copp-playground");
-    const values = () => page.evaluate("window.model.values") as Promise<Record<string, unknown>>;
-    await page.waitForFunction("window.model.values.outcome !== null && window.model.values.plan.length === 5");
-    assert.equal((await values()).step, 2);
-    await page.evaluate("window.model.python('step', 4)");
-    await ready(page, '[data-step="4"]', "mo-copp-playground");
-    await page.evaluate(`window.model.python("document", ${grid({ width: 6 })})`);
-    await page.locator('mo-copp-playground [data-board=actor] [data-cell="5,0"]').waitFor({ state: "attached" });
-    await page.waitForFunction(
-      "window.model.values.document.width === 6 && window.model.values.document.format === 'gridworld'",
-    );
-    // A plan is set again after a walk elsewhere.
-    const plan = ["north", "north"];
-    const shown = (step: number) =>
-      page
-        .waitForFunction(
-          (wanted) =>
-            JSON.stringify(document.querySelector<MoCoppPlayground>("mo-copp-playground")?.state?.plan) === wanted,
-          JSON.stringify(plan),
-        )
-        .then(() => ready(page, `[data-step="${step}"]`, "mo-copp-playground"));
-    const sets = (name: string, value: unknown) =>
-      page.evaluate(`window.model.python("${name}", ${JSON.stringify(value)})`);
-    await sets("plan", plan);
-    await shown(2);
-    await page.evaluate(() => {
-      const playground = document.querySelector<MoCoppPlayground>("mo-copp-playground");
-      if (playground?.state) playground.state = { ...playground.state, mode: "walk", plan: ["east"], step: 1 };
-    });
-    await page.waitForFunction(`window.model.values.plan.join() === "east"`);
-    await sets("plan", plan);
-    await shown(2);
-    // A step beyond the last is the last, and Python is told.
-    await sets("step", 99);
-    await page.waitForFunction("window.model.values.step === 2");
-    await page.evaluate("window.undo()");
-    assert.equal(await page.locator("mo-copp-playground").count(), 0);
   }, kit));
 
 test("MyST: the directive's widget, without Python and from another host", () =>

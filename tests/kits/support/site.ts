@@ -5,10 +5,23 @@ import { cpSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after } from "node:test";
+import type { Page } from "playwright-core";
 import { childEnvironment } from "../../../scripts/lib/environment.mjs";
 import { dist, inRoot } from "../../../scripts/lib/paths.mjs";
 import { serve } from "../../../scripts/lib/static-server.mjs";
 import { venvPython } from "../../../scripts/setup/python-packages.mjs";
+
+/** Browsers ask for a picture of the site that no kit has. */
+export const kit = { before: (page: Page) => page.route("**/favicon.ico", (route) => route.fulfill({ status: 204 })) };
+
+export const onePixel = Buffer.from(
+  "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==",
+  "base64",
+);
+
+/** Waits until a playground has its answer. */
+export const ready = (page: Page, more = "", id = "#lab") =>
+  page.waitForSelector(`${id}:is([data-status=optimal], [data-status=solved])${more}`);
 
 /** A copy of a kit's folder, gone after the tests. */
 export function copyOf(kit: string): string {
