@@ -1,7 +1,14 @@
 -- What the filter and the shortcode make of a playground: the element, or the picture that stands for it.
 
 local script = "mo-copp/mo-copp-playground.js"
+-- In a file that holds all it needs the script is in the page, and has no folder beside it.
+local whole = "mo-copp/mo-copp-playground.single.js"
 local written = false
+
+-- What pandoc calls the formats that browsers open. A book is HTML too, but its readers run no scripts.
+local pages = pandoc.List({
+  "html", "html4", "html5", "chunkedhtml", "revealjs", "slidy", "slideous", "dzslides", "s5",
+})
 
 -- What the element's attributes may be; everything else stays out of the page.
 local known = {
@@ -24,8 +31,9 @@ local function element(get, id)
   return "<mo-copp-playground" .. table.concat(parts) .. ">"
 end
 
+-- Once a page; chunks are pages of their own, and the same script twice is one.
 local function script_once()
-  if written then return "" end
+  if written and FORMAT ~= "chunkedhtml" then return "" end
   written = true
   return string.format('<script type="module" src="%s"></script>\n', escaped(script))
 end
@@ -40,23 +48,28 @@ local function figure(picture, caption)
   return { pandoc.Figure({ pandoc.Plain({ image(picture, caption) }) }, { long = caption }) }
 end
 
--- HTML gets the element, and in it the picture or the text that stands for it until it runs; every other format that alone.
+-- Pages get the element, and in it the picture or the text that stands for it until it runs; every other format that alone.
 local function blocks(get, id, inner)
   local picture = get("picture")
-  if picture == "" then picture = nil end
-  if FORMAT:match("html") or FORMAT:match("epub") or FORMAT == "revealjs" then
-    -- No browser shows a PDF in a line of text.
-    if picture and picture:lower():match("%.pdf$") then picture = nil end
-    local result = pandoc.List({ pandoc.RawBlock("html", script_once() .. element(get, id)) })
-    result:extend(picture and { pandoc.Plain({ image(picture, inner) }) } or inner)
-    result:insert(pandoc.RawBlock("html", "</mo-copp-playground>"))
-    return result
-  end
-  return picture and figure(picture, inner) or inner
+  local page = pages:includes(FORMAT)
+  -- No browser shows a PDF in a line of text, and no book.
+  local shows_pdf = not page and not FORMAT:match("^epub")
+  if picture == "" or picture and picture:lower():match("%.pdf$") and not shows_pdf then picture = nil end
+  if not page then return picture and figure(picture, inner) or inner end
+  local result = pandoc.List({ pandoc.RawBlock("html", script_once() .. element(get, id)) })
+  result:extend(picture and { pandoc.Plain({ image(picture, inner) }) } or inner)
+  result:insert(pandoc.RawBlock("html", "</mo-copp-playground>"))
+  return result
 end
 
+-- A filter is not told of pandoc's option --embed-resources; the metadata of its name is seen.
 local function read_script(meta)
-  if meta["mo-copp-script"] then script = pandoc.utils.stringify(meta["mo-copp-script"]) end
+  local function is_on(name) return meta[name] ~= nil and pandoc.utils.stringify(meta[name]) == "true" end
+  if meta["mo-copp-script"] then
+    script = pandoc.utils.stringify(meta["mo-copp-script"])
+  elseif is_on("embed-resources") or is_on("self-contained") then
+    script = whole
+  end
 end
 
 return { blocks = blocks, read_script = read_script }
