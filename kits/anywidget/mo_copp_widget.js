@@ -48,16 +48,20 @@ async function render({ model, el }) {
   return () => playground.remove();
 }
 
+/** What Python calls an attribute: without dashes, and every widget has `keys` for itself. */
+const inPython = (name) => (name === "keys" ? "keys_" : name.replaceAll("-", "_"));
+
 /** An attribute that the model sets. */
 function follow(model, playground, name) {
+  const names = new Set([name, inPython(name)]);
   const set = () => {
-    const value = model.get(name) ?? "";
+    const value = [...names].map((name) => model.get(name)).find((value) => value != null) ?? "";
     if (value === "" || value === false) playground.removeAttribute(name);
     else if (value === true) playground.setAttribute(name, "");
     else playground.setAttribute(name, typeof value === "object" ? JSON.stringify(value) : String(value));
   };
   set();
-  model.on(`change:${name}`, set);
+  for (const name of names) model.on(`change:${name}`, set);
 }
 
 /** What is shown goes to Python; what Python sets is shown. */

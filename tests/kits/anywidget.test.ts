@@ -7,7 +7,7 @@ import { dist } from "../../scripts/lib/paths.mjs";
 import type { MoCoppPlayground } from "../../www/src/element/mo-copp-playground.js";
 import { visit } from "../page/support/browser.js";
 import { grid } from "../page/support/documents.js";
-import { copyOf, kit, python, ready, served } from "./support/site.js";
+import { attributes, copyOf, kit, python, ready, served } from "./support/site.js";
 
 test("anywidget: Python's side has what is synchronised, and the browser's synchronises it", () =>
   visit(async ({ page }) => {
@@ -84,4 +84,102 @@ print(json.dumps({name: state[name] for name in ("problem", "hide", "theme", "so
     await page.waitForFunction("window.model.values.step === 2");
     await page.evaluate("window.undo()");
     assert.equal(await page.locator("mo-copp-playground").count(), 0);
+  }, kit));
+
+/** A folder with the widget and the one script. */
+function widgetFolder(): string {
+  const folder = copyOf("anywidget");
+  cpSync(join(dist, "mo-copp-playground.single.js"), join(folder, "mo-copp-playground.single.js"));
+  return folder;
+}
+
+test("the widget in Python has every attribute of the element but `link`, and sends what is set later", () => {
+  const told = python(
+    [
+      "-c",
+      `import json
+from mo_copp_widget import OPTIONS, Playground
+exercise = {"kind": "best"}
+given = {"problem": "head-fake", "k": 2, "j": 0, "src": "x.json", "horizon": "any", "exercise": exercise, "seed": 3,
+  "student": "Ada", "watch": True, "keys_": "off", "worker_url": "worker.js", "loading": "lazy", "disabled": True}
+lab = Playground(**given)
+lab.k, lab.horizon, lab.exercise = 3, 7, None
+state = lab.get_state()
+print(json.dumps({"options": sorted(OPTIONS), "state": {name: state[name] for name in given}, "synced": sorted(set(OPTIONS) - set(lab.keys))}))`,
+    ],
+    widgetFolder(),
+  );
+  const { options, state, synced } = JSON.parse(told);
+  const names = attributes().filter((name) => name !== "link");
+  const inPython = names.map((name) => (name === "keys" ? "keys_" : name.replaceAll("-", "_")));
+  assert.deepEqual(options, ["document", ...inPython].sort());
+  assert.deepEqual(synced, []);
+  assert.deepEqual(state, {
+    ...{ problem: "head-fake", k: 3, j: 0, src: "x.json", horizon: 7, exercise: null, seed: 3, student: "Ada" },
+    ...{ watch: true, keys_: "off", worker_url: "worker.js", loading: "lazy", disabled: true },
+  });
+});
+
+test("an option that the widget does not have is refused with those that it has", () => {
+  const told = python(
+    [
+      "-c",
+      `from mo_copp_widget import Playground
+for options in [{"horizn": 3}, {"link": "on"}, {"keys": "off"}, {"outcome": {}}, {"k": "many"}, {"k": -1}]:
+    try:
+        Playground(problem="corridor", **options)
+    except Exception as error:
+        print(type(error).__name__, str(error).replace("\\n", " "))
+    else:
+        print("taken", options)
+print(Playground(problem="corridor", layout={"width": "50%"}, tooltip="A corridor").layout.width)`,
+    ],
+    widgetFolder(),
+  );
+  const [misspelt, link, keys, outcome, many, below, width] = told.trim().split("\n");
+  assert.match(misspelt ?? "", /^TypeError Playground has no option horizn; expected some of .*\bhorizon, .*\bkeys_, /);
+  assert.match(link ?? "", /^TypeError Playground has no option link; /);
+  assert.match(keys ?? "", /^TypeError Playground has no option keys; expected some of .*\bkeys_, /);
+  assert.match(outcome ?? "", /^TypeError Playground has no option outcome; /);
+  assert.match(many ?? "", /^TraitError .*'k' trait/);
+  assert.match(below ?? "", /^TraitError .*'k' trait/);
+  assert.equal(width, "50%");
+});
+
+test("the widget's element follows the attributes by the names that Python and pages of MyST have for them", () =>
+  visit(async ({ page }) => {
+    const folder = widgetFolder();
+    writeFileSync(
+      join(folder, "notebook.html"),
+      `<!doctype html><html lang="en"><title>Notebook</title><div id="out"></div><script type="module">
+        import widget from "./mo_copp_widget.js";
+        const values = { problem: "corridor", keys_: "off", loading: "lazy", k: null, j: 0, "wasm-url": "core.wasm", exercise: null,
+          _script: await (await fetch("mo-copp-playground.single.js")).text() };
+        const listeners = {};
+        const model = {
+          get: (name) => values[name],
+          set: () => {},
+          save_changes: () => {},
+          on: (name, listener) => (listeners[name] ??= []).push(listener),
+        };
+        window.python = (name, value) => { values[name] = value; (listeners["change:" + name] ?? []).forEach((listener) => listener()); };
+        await widget.render({ model, el: document.querySelector("#out") });
+      </script></html>`,
+    );
+    await page.goto(`${await served(folder)}notebook.html`);
+    const element = page.locator("mo-copp-playground");
+    await element.waitFor({ state: "attached" });
+    const given = () =>
+      element.evaluate((node) =>
+        Object.fromEntries(
+          ["keys", "k", "j", "wasm-url", "seed", "exercise", "disabled"].map((name) => [name, node.getAttribute(name)]),
+        ),
+      );
+    const none = { seed: null, exercise: null, disabled: null };
+    assert.deepEqual(await given(), { keys: "off", k: null, j: "0", "wasm-url": "core.wasm", ...none });
+    await page.evaluate(`for (const [name, value] of [["keys_", "focus"], ["k", 2], ["j", null], ["disabled", true], ["seed", 0]])
+      window.python(name, value);`);
+    assert.deepEqual(await given(), {
+      ...{ keys: "focus", k: "2", j: null, "wasm-url": "core.wasm", seed: "0", exercise: null, disabled: "" },
+    });
   }, kit));

@@ -7,16 +7,7 @@ import { test } from "node:test";
 import { inRoot, nodeModules } from "../../scripts/lib/paths.mjs";
 import { visit } from "../page/support/browser.js";
 import { startHost } from "../page/support/host.js";
-import { addPage, copyOf, kit, python, ready, served } from "./support/site.js";
-
-/** The element's attributes, as the tables of the guide list them. */
-function attributes(): string[] {
-  const guide = readFileSync(inRoot("docs", "embedding.md"), "utf8");
-  const [tables = ""] = guide.split("## What the page's prose can do", 1);
-  return [...tables.matchAll(/^\| ((?:`[a-z-]+`(?:, )?)+) \|/gm)].flatMap(([, names = ""]) =>
-    [...names.matchAll(/`([a-z-]+)`/g)].map(([, name = ""]) => name),
-  );
-}
+import { addPage, attributes, copyOf, kit, python, ready, served } from "./support/site.js";
 
 test("every kit has a page, and those that list the element's attributes have all of them", () => {
   for (const kit of readdirSync(inRoot("kits"))) {
@@ -40,10 +31,8 @@ test("every kit has a page, and those that list the element's attributes have al
     all.filter((name) => name !== "name"),
   );
   // The widget's own are the plan and the step; it never has the page's address.
-  assert.deepEqual(
-    listed("anywidget/mo_copp_widget.js", /attributes = (.*?);/s, /[a-z]+(-[a-z]+)*(?=")/g),
-    all.filter((name) => !["plan", "step", "link"].includes(name)),
-  );
+  const ofWidget = all.filter((name) => !["plan", "step", "link"].includes(name));
+  assert.deepEqual(listed("anywidget/mo_copp_widget.js", /attributes = (.*?);/s, /[a-z]+(-[a-z]+)*(?=")/g), ofWidget);
 });
 
 test("plain HTML: the page, its prose, and the playground far below", () =>

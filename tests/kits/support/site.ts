@@ -1,7 +1,7 @@
 // Pages of the author kits, built into a folder of their own and served with the built page beside them.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { cpSync, mkdtempSync, rmSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after } from "node:test";
@@ -48,4 +48,13 @@ export function python(args: string[], cwd: string, input = ""): string {
   const run = spawnSync(venvPython, args, { cwd, env: childEnvironment(), encoding: "utf8", timeout: 240_000, input });
   assert.equal(run.status, 0, run.stdout + run.stderr);
   return run.stdout;
+}
+
+/** The element's attributes, as the tables of the guide list them. */
+export function attributes(): string[] {
+  const guide = readFileSync(inRoot("docs", "embedding.md"), "utf8");
+  const [tables = ""] = guide.split("## What the page's prose can do", 1);
+  return [...tables.matchAll(/^\| ((?:`[a-z-]+`(?:, )?)+) \|/gm)].flatMap(([, names = ""]) =>
+    [...names.matchAll(/`([a-z-]+)`/g)].map(([, name = ""]) => name),
+  );
 }
