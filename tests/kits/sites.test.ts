@@ -29,6 +29,38 @@ test("MkDocs with Material: instant navigation and the switch to dark", () =>
     { ...kit, quiet: false },
   ));
 
+test("MkDocs: a visit that begins at a page that is not there has the script, and other sites have none there", () =>
+  visit(
+    async ({ page }) => {
+      const folder = copyOf("mkdocs");
+      addPage(join(folder, "docs", "mo-copp"));
+      const settings = join(folder, "mkdocs.yml");
+      const given = readFileSync(settings, "utf8");
+      const built = (site: string) => {
+        python(["-m", "mkdocs", "build", "--quiet", "--site-dir", "site"], folder);
+        return readFileSync(join(folder, "site", site), "utf8");
+      };
+      mkdirSync(join(folder, "site"));
+      const address = await served(join(folder, "site"));
+      writeFileSync(settings, given.replace("http://127.0.0.1/", address));
+      const path = new URL(address).pathname;
+      assert(built("404.html").includes(`<script type="module" src="${path}mo-copp/mo-copp-playground.js">`), path);
+      await page.goto(`${address}404.html`);
+      await page.evaluate("window.visit = 1");
+      await page
+        .locator(".md-nav")
+        .getByRole("link", { name: "The corridor" })
+        .first()
+        .evaluate((link) => (link as HTMLElement).click());
+      await ready(page, '[data-gd="1"]');
+      assert.equal(await page.evaluate("window.visit"), 1, "the page was not loaded anew");
+      writeFileSync(settings, given.replace("features: [navigation.instant]", "features: []"));
+      assert(!built("404.html").includes("mo-copp"));
+      assert(built("corridor/index.html").includes('src="../mo-copp/mo-copp-playground.js"'));
+    },
+    { ...kit, quiet: false },
+  ));
+
 test("Sphinx with the theme of Read the Docs: HTML gets the element, text its words", () =>
   visit(
     async ({ page, requests }) => {
