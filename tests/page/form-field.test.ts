@@ -119,6 +119,58 @@ test("disabled is on by being there, and “false”, as frameworks write it, ta
   });
 });
 
+test("the page hears input and change when the person changes the answer code, and nothing of the controls inside", async () => {
+  const host = await startHost();
+  host.own.set("favicon.ico", { body: "" });
+  host.own.set("goals.json", { body: exerciseText("01-possible-goals") });
+  host.own.set("page.html", {
+    body: `<!doctype html><html lang="en"><title>Course</title><script type="module" src="mo-copp-playground.js"></script>
+      <script>
+        window.heard = [];
+        for (const type of ["input", "change", "beforeinput"])
+          addEventListener(type, (event) => heard.push([type, event.target.id, event.target.value ?? ""]));
+      </script>
+      <main><form><mo-copp-playground id="question" src="goals.json" seed="7" link="off" name="q"></mo-copp-playground></form>
+      <mo-copp-playground id="lab" problem="corridor" link="off"><input id="own"></mo-copp-playground></main>`,
+  });
+  await visit(async ({ page }) => {
+    await page.goto(`${host.address}page.html`);
+    await page.locator("#lab:is([data-status=optimal], [data-status=solved])").waitFor();
+    const heard = () => page.evaluate(() => (window as unknown as { heard: string[][] }).heard.splice(0));
+    // Steps, options and texts are controls of the playground.
+    await page.locator("#lab input[type=range]").first().fill("2");
+    await page.locator("#lab[data-step='2']").waitFor();
+    await page.locator("#lab").getByRole("tab", { name: "Document" }).click();
+    await page.locator("#lab .cm-content").click();
+    await page.keyboard.type(" ");
+    await page.locator("#question .choices input").first().check();
+    assert.deepEqual(await heard(), []);
+    // A child of the element is the page's own.
+    await page
+      .locator("#own")
+      .evaluate((own) => own.dispatchEvent(new InputEvent("input", { bubbles: true, composed: true })));
+    assert.deepEqual(await heard(), [["input", "own", ""]]);
+    const question = page.locator("#question");
+    await question.getByRole("button", { name: "Check the answer" }).click();
+    await question.getByText("2 attempts left.").waitFor();
+    const code = await question.getByLabel("Answer code").inputValue();
+    assert.deepEqual(await heard(), [
+      ["input", "question", code],
+      ["change", "question", code],
+    ]);
+    // What the page does is no change for it: a reset, and a state that is set.
+    const state = await question.evaluate((node) => (node as MoCoppPlayground).state);
+    await page.evaluate(() => document.querySelector("form")?.reset());
+    await question.evaluate((node) => Object.assign(node, { problem: "corridor" }));
+    await question.locator("[data-board]").first().waitFor();
+    await page.waitForFunction(() => document.querySelector<MoCoppPlayground>("#question")?.value === "");
+    await question.evaluate((node, state) => Object.assign(node, { state }), state);
+    await page.waitForFunction(() => document.querySelector<MoCoppPlayground>("#question")?.value !== "");
+    assert.equal(await question.getByLabel("Answer code").inputValue(), code);
+    assert.deepEqual(await heard(), []);
+  });
+});
+
 test("while a question is shown, no script solves, draws or walks through the problem that was open before", () =>
   visit(async ({ page }) => {
     await page.locator("mo-copp-playground[data-status=optimal]").waitFor();

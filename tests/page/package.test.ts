@@ -212,7 +212,8 @@ test("the manifest lists what the element follows, offers and tells, and licence
   const own = ["document", "goTo", "ready", "solve", "state", "toPNG", "toSVG"];
   assert.deepEqual(names(others).sort(), [...ofFields, ...own].sort());
   for (const name of ofFields) assert.match(types, new RegExp(`^  (?:readonly )?${name}(?:\\(\\))?: `, "m"));
-  assert.deepEqual(names(element.events), ["mo-copp-step", "mo-copp-outcome", "mo-copp-answer", "mo-copp-score"]);
+  const told = ["mo-copp-step", "mo-copp-outcome", "mo-copp-answer", "mo-copp-score"];
+  assert.deepEqual(names(element.events), [...told, "input", "change"]);
   const guide = readFileSync(new URL("../../docs/embedding.md", import.meta.url), "utf8");
   for (const { name } of [...element.cssParts, ...element.cssProperties]) assert(guide.includes(`\`${name}\``), name);
   const bundled = readFileSync(join(packageFolder, "THIRD-PARTY.txt"), "utf8");

@@ -2,8 +2,7 @@
 // other people once somebody is at work in the playground, and not for those who only read past it.
 import { pagePool } from "../worker/pool.js";
 import { isOwnPage } from "./settings.js";
-
-const signs = ["pointerdown", "keydown", "click", "drop"] as const;
+import { signs } from "./signs.js";
 
 export class FirstUse {
   constructor(private readonly host: HTMLElement) {}

@@ -2,6 +2,7 @@
 // its own the page. Only on the stand-alone page, which is the playground's own, it is drawn into the document
 // (`root="page"`). docs/embedding.md lists attributes, properties, events and parts.
 import { adopt, adoptAgain } from "./adopt.js";
+import { keepInside } from "./form-field.js";
 import { PlaygroundElement, Unfit } from "./playground-element.js";
 import { followInProse } from "./prose.js";
 import { Theme } from "./theme.js";
@@ -78,6 +79,9 @@ slot.poster ~ .ground > .has-poster:not(.waiting) > :not(.error, .failure) { dis
  * @fires mo-copp-outcome - A solver has answered; the detail is the outcome.
  * @fires mo-copp-answer - The answer to an exercise was checked; the detail has its code and score.
  * @fires mo-copp-score - A guess or a walk of the person has come to its end, or an answer was checked; the detail's `score` is from 0 to 1.
+ *
+ * @fires input - The person has changed the answer code, which is the element's value.
+ * @fires change - The person has changed the answer code, which is the element's value.
  *
  * @slot - What stands for the playground until it runs, and where it cannot.
  *
@@ -161,6 +165,7 @@ export class MoCoppPlayground extends PlaygroundElement {
     root.setAttribute("part", "playground");
     root.lang = "en";
     root.dir = "ltr";
+    keepInside(root);
     this.#slotted = document.createElement("slot");
     this.#slotted.className = "poster";
     // The page's own children of the element stand for the picture until there is one, and where there can be none.

@@ -7,10 +7,11 @@ import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
 import { type Asked, count, overtakenBy } from "./asked.js";
 import { followed, isOn, no, propertiesAlone } from "./attributes.js";
-import { validate } from "./form-field.js";
+import { tellChange, validate } from "./form-field.js";
 import type { Wanted } from "./given.js";
 import { parsed, textOf } from "./parsed.js";
 import { reflect, reflected } from "./reflected.js";
+import { signs } from "./signs.js";
 import type { ElementSolveOptions } from "./solve-options.js";
 import type { PngOptions, SvgOptions } from "./svg-options.js";
 import type { View } from "./view.js";
@@ -52,11 +53,17 @@ export abstract class PlaygroundElement extends Base {
   #isDisabled = false;
   /** What was asked for until now. */
   readonly #asked: Asked = { problems: 0, questions: 0 };
+  /** The page's problem at which the person was at work last; null before that. */
+  #touched: number | null = null;
 
   constructor() {
     super();
     this.#internals = this.attachInternals?.();
     this.#validate();
+    const touch = () => {
+      this.#touched = this.#asked.problems;
+    };
+    for (const sign of signs) this.addEventListener(sign, touch, true);
     this.#drawn = new Promise((resolve) => {
       this.#settleDrawn = resolve;
     });
@@ -295,6 +302,7 @@ export abstract class PlaygroundElement extends Base {
 
   /** The form is reset: it sends no code until another answer is checked. Attempts that were made stay made. */
   formResetCallback(): void {
+    this.#touched = null;
     this.#keepCode(null);
   }
 
@@ -305,9 +313,12 @@ export abstract class PlaygroundElement extends Base {
   }
 
   #keepCode(code: string | null): void {
+    const changed = code !== this.#code;
     this.#code = code;
     this.#internals?.setFormValue(code);
     this.#validate();
+    // What a page sets, or what it keeps from an earlier visit, is no change for it.
+    if (changed && this.#touched === this.#asked.problems) tellChange(this);
   }
 
   #validate(): void {
