@@ -25,8 +25,8 @@ const numbers: Record<string, [fits: (text: string) => boolean, expected: string
   horizon: [(text) => /^\s*(?:\d*|any)\s*$/.test(text), "a whole number, or any"],
 };
 
-/** Fields that say themselves that what is typed in them can't be used. */
-const marked = new WeakSet<Field>();
+/** Fields that say themselves that what is typed in them can't be used, and whether the words are from here: others are the browser's or the page's. */
+const marked = new WeakMap<Field, boolean>();
 
 /** What a person has chosen or typed for `name`; null where there is nothing yet, or what can't be used, which the field says. */
 export function chosenIn(part: Element, name: string): string | null {
@@ -58,15 +58,16 @@ function faultIn(part: Field, name: string): string | null {
 
 /** The field itself says what is wrong with it, and the playground stays as it is. */
 function mark(part: Field, fault: string): void {
-  // What the browser finds it says in its own words.
-  if (part.validity.valid) part.setCustomValidity(fault);
+  const isSound = part.validity.valid;
+  if (isSound) part.setCustomValidity(fault);
   part.setAttribute("aria-invalid", "true");
-  marked.add(part);
+  marked.set(part, isSound);
 }
 
 function unmark(part: Field): void {
+  const isOurs = marked.get(part);
   if (!marked.delete(part)) return;
-  part.setCustomValidity("");
+  if (isOurs) part.setCustomValidity("");
   part.removeAttribute("aria-invalid");
 }
 
