@@ -67,7 +67,7 @@ const asked = (
   onPaper: boolean,
 ): TemplateResult => html`<p class="question" id="exercise-question">${question.question}</p>
     <div class="asked">
-      <div class="picture">${pictures(exercise, question)} ${pictureSigns(question)} ${problemInWords(question)}</div>
+      <div class="picture">${pictures(exercise, question)} ${pictureSigns(exercise, question)} ${problemInWords(question)}</div>
       <form class="answer" aria-describedby="exercise-question" @submit=${(event: Event) => event.preventDefault()}>
         ${onPaper ? answerOnPaper(exercise, question) : nothing} ${answerForm(exercise, question)}
         <div class="actions">
@@ -91,7 +91,7 @@ const boardWords = {
 };
 
 function pictures(exercise: Exercise, question: Question): TemplateResult {
-  const steps = question.form.choice === "action" ? exercise.choices.value.length : (question.plan?.length ?? 0);
+  const steps = stepsShown(exercise, question);
   const when = steps === 0 ? "before the first step" : `after ${counted(steps, "step")}`;
   return html`<div class="pictures">${exercise.pictures.value.map(
     ({ board, svg }) => html`<figure data-of=${board}>
@@ -101,16 +101,29 @@ function pictures(exercise: Exercise, question: Question): TemplateResult {
   )}</div>`;
 }
 
-const beginnings: Record<string, string> = {
-  gridworld: "○ start",
-  "box-pushing": "○ start of the robot · □ where the box begins, once it is elsewhere",
-  "recycling-robot": "○ start of the robot · ▯ where the can begins, once it is elsewhere · ϟ charger",
+/** How many steps the pictures show: of the walk that is told, or of the one that is being given. */
+const stepsShown = (exercise: Exercise, { form, plan }: Question): number =>
+  form.choice === "action" ? exercise.choices.value.length : (plan?.length ?? 0);
+
+/** The faint signs of pictures. `begins`: where something began, which is seen once it is elsewhere. */
+const faint: Record<string, readonly { sign: string; begins?: true }[]> = {
+  gridworld: [{ sign: "○ start", begins: true }],
+  "box-pushing": [
+    { sign: "○ start of the robot", begins: true },
+    { sign: "□ where the box begins, once it is elsewhere", begins: true },
+  ],
+  "recycling-robot": [
+    { sign: "○ start of the robot", begins: true },
+    { sign: "▯ where the can begins, once it is elsewhere", begins: true },
+    { sign: "ϟ charger" },
+  ],
 };
 
-/** What the faint signs of the pictures mean: where everything begins. */
-function pictureSigns({ document }: Question): TemplateResult | typeof nothing {
-  const signs = beginnings[(document as { format?: string }).format ?? ""];
-  return signs === undefined ? nothing : html`<p class="signs">${signs}</p>`;
+/** What the faint signs of the pictures mean. */
+function pictureSigns(exercise: Exercise, question: Question): TemplateResult | typeof nothing {
+  const { format = "" } = question.document as { format?: string };
+  const signs = (faint[format] ?? []).filter(({ begins }) => !begins || stepsShown(exercise, question) > 0);
+  return signs.length === 0 ? nothing : html`<p class="signs">${signs.map(({ sign }) => sign).join(" · ")}</p>`;
 }
 
 function tally({ attempts }: Exercise, question: Question): string {
@@ -122,7 +135,7 @@ function tally({ attempts }: Exercise, question: Question): string {
 
 function hintButton(exercise: Exercise, question: Question): TemplateResult | typeof nothing {
   const left = question.hints.length - exercise.hints.value;
-  if (question.hints.length === 0) return nothing;
+  if (question.hints.length === 0 || exercise.verdict.value?.right) return nothing;
   return html`<button type="button" aria-disabled=${String(left === 0)} @click=${() => exercise.hint()}>${
     left === 0 ? "No more hints" : `Show a hint (${left} left)`
   }</button>`;

@@ -34,10 +34,12 @@ impl MutualExclusion {
         for words in starts {
             let held: Vec<usize> = task.facts_of(words).iter().map(|fact| fact.index()).collect();
             let mut row = vec![0; width];
-            held.iter().for_each(|&fact| set(&mut row, fact, true));
-            held.iter().for_each(|&fact| {
+            for &fact in &held {
+                set(&mut row, fact, true);
+            }
+            for &fact in &held {
                 pairs.join(fact, &row);
-            });
+            }
         }
         while pairs.pass(task) {}
         pairs
@@ -78,14 +80,20 @@ impl MutualExclusion {
                 beside.fill(u64::MAX);
                 for fact in before {
                     let row = self.row(fact.index());
-                    beside.iter_mut().zip(row).for_each(|(word, row)| *word &= row);
+                    for (word, row) in beside.iter_mut().zip(row) {
+                        *word &= row;
+                    }
                 }
             }
             if before.iter().any(|fact| !contains(&beside, fact.index())) {
                 continue;
             }
-            operator.delete.iter().for_each(|fact| set(&mut beside, fact.index(), false));
-            operator.add.iter().for_each(|fact| set(&mut beside, fact.index(), true));
+            for fact in &operator.delete {
+                set(&mut beside, fact.index(), false);
+            }
+            for fact in &operator.add {
+                set(&mut beside, fact.index(), true);
+            }
             for fact in &operator.add {
                 new |= self.join(fact.index(), &beside);
             }
