@@ -57,6 +57,7 @@ test("a guess is opened once its goal is found, with that goal as the true one",
     await shown();
     await openTab(page, "Edit");
     const radios = page.getByRole("group", { name: "Candidate goals" }).getByRole("radio");
+    await radios.first().waitFor();
     const chosen = await radios.evaluateAll((all) => all.map((radio) => (radio as HTMLInputElement).checked));
     assert.deepEqual(
       chosen,

@@ -91,6 +91,8 @@ export function showIn(part: Element, value: string, most: number | null): void 
   } else if (isField(part)) {
     // What is typed into a file's field is the person's alone.
     if (part.type === "file") return;
+    // Nor is what somebody is about to mend.
+    if (marked.has(part) && part.matches(":focus")) return;
     unmark(part);
     if (part instanceof HTMLInputElement && most !== null)
       Object.assign(part, { min: part.min || "0", max: String(most) });
