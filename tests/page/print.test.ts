@@ -324,14 +324,15 @@ test("several playgrounds in a page keep their titles with their boards, and one
 test("a script that prints has the table at once, and one that waits tells what is missing", () =>
   printed(async (page) => {
     await prepared(page);
-    const rows = await page.evaluate(`(() => {
+    // What has come is there a moment later.
+    const rows = await page.waitForFunction(`(() => {
       const counted = () => document.querySelectorAll(".paper tbody tr").length;
       dispatchEvent(new Event("beforeprint"));
       const printed = counted();
       dispatchEvent(new Event("afterprint"));
-      return [printed, counted()];
+      return printed > 0 && [printed, counted()];
     })()`);
-    assert.deepEqual(rows, [17, 0]);
+    assert.deepEqual(await rows.jsonValue(), [17, 0]);
     await page.route(`${address}lesson/waits.html`, (route) =>
       route.fulfill({
         contentType: "text/html",

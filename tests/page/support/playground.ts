@@ -17,8 +17,13 @@ export const slider = (page: Page) => page.getByRole("slider");
 
 export const press = (page: Page, name: string) => page.getByRole("button", { name, exact: true }).click();
 
-/** Opens a tab of the workbench. */
-export const openTab = (page: Page, name: string) => page.getByRole("tab", { name, exact: true }).click();
+/** Opens a tab of the workbench, whose panel may be fetched then. */
+export async function openTab(page: Page, name: string): Promise<void> {
+  await page.getByRole("tab", { name, exact: true }).click();
+  const panel = page.getByRole("tabpanel", { name, exact: true });
+  await panel.waitFor();
+  await panel.getByText("Loading…", { exact: true }).waitFor({ state: "detached" });
+}
 
 /** Puts a document into the text field and opens it. */
 export async function useDocument(page: Page, document: string): Promise<void> {
