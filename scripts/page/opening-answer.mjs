@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { inRoot } from "../lib/paths.mjs";
 
 const id = "virtual:opening-answer";
-/** Nobody looks at more states of one belief; the worker says as many. */
+/** States of one belief that are listed: as many as the worker lists. */
 const MOST_STATES = 100;
 
 /** A plugin of Vite. */

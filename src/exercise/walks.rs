@@ -7,10 +7,10 @@ use rand::{Rng, RngExt};
 use super::belief_layers::MAX_STATES;
 use super::dice::below;
 use crate::problem::Problem;
-use crate::task::{Fact, StateId, StateSpace};
+use crate::task::{Edge, Fact, StateId, StateSpace};
 
-/// A walk of so many steps. Every second one ends in a candidate goal, where one can be reached by so many steps: of the
-/// others few do where goals take more than going somewhere.
+/// A walk of `steps` steps. Every second one ends in a candidate goal, where a walk of this length can: of the others few do
+/// where goals take more than going somewhere.
 pub(super) fn walk_of(
     problem: &Problem,
     steps: usize,
@@ -25,7 +25,7 @@ pub(super) fn walk_of(
     random_walk(problem, steps, random)
 }
 
-/// A walk of so many steps that does not go straight back where it need not.
+/// A walk of `steps` steps that goes straight back only where nothing else is possible.
 fn random_walk(problem: &Problem, steps: usize, random: &mut impl Rng) -> Option<Vec<String>> {
     let task = problem.task();
     let mut space = StateSpace::new(Arc::clone(task));
@@ -34,17 +34,14 @@ fn random_walk(problem: &Problem, steps: usize, random: &mut impl Rng) -> Option
     let mut names = Vec::with_capacity(steps);
     for _ in 0..steps {
         space.expand(at);
-        let onward: Vec<_> = space.edges(at).iter().filter(|edge| edge.target != before).collect();
-        let edges = if onward.is_empty() { space.edges(at).iter().collect() } else { onward };
-        let edge = edges[below(random, edges.len())?];
+        let edge = drawn(space.edges(at).iter(), before, random)?;
         names.push(task.action_name(edge.action).to_owned());
         (before, at) = (at, edge.target);
     }
     Some(names)
 }
 
-/// A walk of so many steps that ends in a goal: anywhere from where the goal stays in reach, and not straight back where it
-/// need not.
+/// A walk of `steps` steps that ends in a goal: each step leads to where the goal stays in reach.
 fn walk_into(
     problem: &Problem,
     goal: usize,
@@ -59,14 +56,24 @@ fn walk_into(
     let mut names = Vec::with_capacity(steps);
     for left in (0..steps).rev() {
         let in_reach = |target: StateId| distances[target.index()].is_some_and(|far| far <= left);
-        let edges: Vec<_> = space.edges(at).iter().filter(|edge| in_reach(edge.target)).collect();
-        let onward: Vec<_> = edges.iter().copied().filter(|edge| edge.target != before).collect();
-        let edges = if onward.is_empty() { edges } else { onward };
-        let edge = edges[below(random, edges.len())?];
+        let edges = space.edges(at).iter().filter(|edge| in_reach(edge.target));
+        let edge = drawn(edges, before, random)?;
         names.push(task.action_name(edge.action).to_owned());
         (before, at) = (at, edge.target);
     }
     Some(names)
+}
+
+/// One of some transitions; one that leads straight back only where all do.
+fn drawn<'e>(
+    edges: impl Iterator<Item = &'e Edge>,
+    before: StateId,
+    random: &mut impl Rng,
+) -> Option<&'e Edge> {
+    let edges: Vec<&Edge> = edges.collect();
+    let onward: Vec<&Edge> = edges.iter().copied().filter(|edge| edge.target != before).collect();
+    let edges = if onward.is_empty() { edges } else { onward };
+    Some(edges[below(random, edges.len())?])
 }
 
 /// A walk to the true goal: up to two steps anywhere, then a shortest one.

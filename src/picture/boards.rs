@@ -6,6 +6,7 @@ use crate::domain::grid::Cell;
 use crate::problem::{Role, StateLabel};
 use crate::report::{BeliefReport, Scene, Setting, StepReport};
 
+use super::floor::Floor;
 use super::palette::{Palette, Tone};
 use super::svg::Svg;
 use super::{cells, delivery, listing};
@@ -99,17 +100,17 @@ impl<'a> BoardInput<'a> {
         match &self.scene.setting {
             Setting::Gridworld { width, height, walls, start } => {
                 let (width, height, charger) = (*width, *height, None);
-                let floor = cells::Floor { width, height, walls, charger, numbers };
+                let floor = Floor { width, height, walls, charger, numbers };
                 cells::draw(svg, self, &floor, *start);
             }
             Setting::BoxPushing { width, height, walls, start } => {
                 let (width, height, charger) = (*width, *height, None);
-                let floor = cells::Floor { width, height, walls, charger, numbers };
+                let floor = Floor { width, height, walls, charger, numbers };
                 cells::draw(svg, self, &floor, start.robot);
             }
             Setting::RecyclingRobot { width, height, walls, charger, start, .. } => {
                 let (width, height, charger) = (*width, *height, Some(*charger));
-                let floor = cells::Floor { width, height, walls, charger, numbers };
+                let floor = Floor { width, height, walls, charger, numbers };
                 cells::draw(svg, self, &floor, start.robot);
             }
             Setting::Delivery { factories, .. } => delivery::draw(svg, self, factories),

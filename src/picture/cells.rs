@@ -5,75 +5,13 @@ use std::fmt::Write;
 use crate::belief::StateCount;
 use crate::domain::grid::Cell;
 use crate::problem::{StateLabel, Value};
-use crate::report::{BeliefReport, Feature};
+use crate::report::Feature;
 
-use super::boards::{BoardInput, Owner, SIDE};
+use super::boards::{BoardInput, Owner};
+use super::floor::{APART, Floor, place, spots};
 use super::signs::{bolt, star};
 use super::svg::{Anchor, Escaped, Number, Svg, fitting};
-
-/// What does not change from step to step.
-pub(super) struct Floor<'a> {
-    pub width: u32,
-    pub height: u32,
-    pub walls: &'a [Cell],
-    pub charger: Option<Cell>,
-    /// Whether columns and rows have their numbers at the edges.
-    pub numbers: bool,
-}
-
-/// Room for numbers at an edge.
-const EDGE: f64 = 24.0;
-/// Numbers nearer than this run into each other.
-const APART: f64 = 22.0;
-
-impl Floor<'_> {
-    /// What the numbers take from the board.
-    fn edge(&self) -> f64 {
-        if self.numbers { EDGE } else { 0.0 }
-    }
-
-    /// The side of a cell.
-    fn side(&self) -> f64 {
-        (SIDE - self.edge()) / f64::from(self.width.max(self.height).max(1))
-    }
-
-    /// The left upper corner of the grid, which stands with its numbers in the middle of the board.
-    fn origin(&self) -> [f64; 2] {
-        let (side, edge) = (self.side(), self.edge());
-        [self.width, self.height].map(|cells| edge + (SIDE - edge - side * f64::from(cells)) / 2.0)
-    }
-
-    /// The middle of a cell.
-    fn middle(&self, cell: Cell) -> [f64; 2] {
-        let (side, origin) = (self.side(), self.origin());
-        [0, 1].map(|axis| origin[axis] + side * (f64::from(cell[axis]) + 0.5))
-    }
-
-    /// How large a sign in a cell is: it may be larger than the cell where cells are small.
-    fn sign(&self) -> f64 {
-        self.side() * (f64::from(self.width.max(self.height)) / 14.0).max(1.0)
-    }
-
-    fn squares(&self, cells: impl IntoIterator<Item = Cell>) -> String {
-        let side = self.side();
-        let inner = Number(side * 0.94);
-        let [left, top] = self.origin();
-        let mut path = String::new();
-        for [column, row] in cells {
-            let x = Number(left + side * f64::from(column) + side * 0.03);
-            let y = Number(top + side * f64::from(row) + side * 0.03);
-            // Writing to a text cannot fail.
-            let _ = write!(path, "M{x} {y}h{inner}v{inner}h-{inner}z");
-        }
-        path
-    }
-}
-
-/// A cell that a part of the state may be in, and whether it is in every believed state.
-struct Spot {
-    cell: Cell,
-    certain: bool,
-}
+use super::things::{begun, things};
 
 pub(super) fn draw(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>, start: Cell) {
     let palette = input.palette;
@@ -138,28 +76,6 @@ fn edge_numbers(svg: &mut Svg, floor: &Floor<'_>, colour: &str) {
     }
 }
 
-/// The cell of a part of a state; a gridworld's state is the agent's cell.
-fn place(state: &StateLabel, part: &str) -> Option<Cell> {
-    match state {
-        StateLabel::Cell(column, row) if part == "robot" => Some([*column, *row]),
-        StateLabel::Parts(parts) => parts.iter().find_map(|(key, value)| match value {
-            Value::Cell(column, row) if *key == part => Some([*column, *row]),
-            _ => None,
-        }),
-        _ => None,
-    }
-}
-
-fn spots(summary: &BeliefReport, wanted: &str) -> Vec<Spot> {
-    let spot = |share: &crate::report::Share| match &share.feature {
-        Feature::Part { part, value: Value::Cell(column, row) } if *part == wanted => {
-            Some(Spot { cell: [*column, *row], certain: share.states == summary.states })
-        }
-        _ => None,
-    };
-    summary.shares.iter().filter_map(spot).collect()
-}
-
 /// The corners of the cells that a camera watches.
 fn cameras(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
     let side = floor.side();
@@ -210,79 +126,6 @@ fn way(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
         points(&input.steps[..=input.at]),
         palette.ink
     ));
-}
-
-/// What lies on the floor.
-struct Thing {
-    /// The part of a state that says where it is.
-    part: &'static str,
-    /// Its width and height in cells.
-    size: [f64; 2],
-    /// The same in the cell of a goal, whose badge it must stand out behind.
-    behind_a_goal: [f64; 2],
-}
-
-const THINGS: [Thing; 2] = [
-    Thing { part: "box", size: [0.56, 0.56], behind_a_goal: [0.82, 0.82] },
-    Thing { part: "can", size: [0.34, 0.34 * 1.35], behind_a_goal: [0.5, 0.86] },
-];
-
-impl Thing {
-    /// Its width and height in a cell of a board.
-    fn size_in(&self, cell: Cell, input: &BoardInput<'_>, floor: &Floor<'_>) -> [f64; 2] {
-        let with_goal = input.scene.goals.iter().any(|goal| goal.cell == Some(cell));
-        let size = if with_goal { self.behind_a_goal } else { self.size };
-        size.map(|part| part * floor.sign())
-    }
-}
-
-/// Where the box or the can was at first, once it is elsewhere: an outline as faint as that of the robot's start.
-fn begun(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
-    for thing @ Thing { part, .. } in &THINGS {
-        let first = input.steps.first().and_then(|step| place(&step.state, part));
-        let Some(cell) = first.filter(|&cell| place(&input.step().state, part) != Some(cell))
-        else {
-            continue;
-        };
-        let [x, y] = floor.middle(cell);
-        let [width, height] = thing.size_in(cell, input, floor);
-        let line = Number((floor.sign() * 0.05).max(1.0));
-        svg.rect(
-            [x - width / 2.0, y - height / 2.0, width, height],
-            format_args!(
-                r#"rx="2" fill="none" stroke="{}" stroke-width="{line}""#,
-                input.palette.muted
-            ),
-        );
-    }
-}
-
-/// The box or the can: solid where it is certain, dashed where it is one of several places.
-fn things(svg: &mut Svg, input: &BoardInput<'_>, floor: &Floor<'_>) {
-    let palette = input.palette;
-    for thing @ Thing { part, .. } in &THINGS {
-        let spots = match (input.owner, input.summary()) {
-            (Owner::Observer(_), Some(summary)) => spots(summary, part),
-            _ => {
-                let cell = place(&input.step().state, part);
-                cell.into_iter().map(|cell| Spot { cell, certain: true }).collect()
-            }
-        };
-        for Spot { cell, certain } in spots {
-            let [x, y] = floor.middle(cell);
-            let [width, height] = thing.size_in(cell, input, floor);
-            let look = if certain {
-                format!(r#"fill="{}" stroke="{}""#, palette.parcel, palette.parcel_edge)
-            } else {
-                format!(
-                    r#"fill="none" stroke="{}" stroke-dasharray="3 2" stroke-width="1.5""#,
-                    palette.parcel_edge
-                )
-            };
-            let corner = [x - width / 2.0, y - height / 2.0, width, height];
-            svg.rect(corner, format_args!(r#"rx="2" {look}"#));
-        }
-    }
 }
 
 /// Candidate goals: a badge each; those of one cell stand side by side.

@@ -21,6 +21,7 @@
 mod boards;
 mod cells;
 mod delivery;
+mod floor;
 mod goals;
 mod listing;
 mod palette;
@@ -28,6 +29,7 @@ mod request;
 mod sheet;
 mod signs;
 mod svg;
+mod things;
 
 use thiserror::Error;
 

@@ -66,7 +66,7 @@ pub struct SolveReport {
     /// The limit that was met.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<String>,
-    /// Why there is no plan and what would do, where somebody looked for that.
+    /// Why there is no plan and what would do, where that was looked for.
     #[cfg(feature = "full")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remedy: Option<AdviceReport>,
@@ -152,7 +152,7 @@ pub struct StatsReport {
     /// How often a friend's belief had to be worked out for its bounds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub settled_by_beliefs: Option<u64>,
-    /// Wall-clock seconds, where somebody measured them.
+    /// Wall-clock seconds, where they were measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seconds: Option<f64>,
 }

@@ -88,10 +88,9 @@ impl TraceReport {
         }
     }
 
-    /// The report of a plan for somebody who looks at it: of each belief at most `most` states, and
-    /// with them what all its states have in common and which goals are ruled out. A page would not hold a hundred thousand
-    /// states for each step, nor could anybody read them. The beliefs of a gridworld and of a
-    /// delivery are pictures of all their states, and given in full.
+    /// The report of a plan for display: of each belief at most `most` states, and with them what all its states have in common
+    /// and which goals are ruled out. A hundred thousand states for each step are too many for a page and for its reader. The
+    /// beliefs of a gridworld and of a delivery are pictures of all their states, and given in full.
     ///
     /// Linear in the replay, and in the groups of facts and the goals' conditions of all states
     /// that are passed.

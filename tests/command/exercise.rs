@@ -508,5 +508,5 @@ fn codes_are_found_in_the_only_column_that_has_any_or_in_the_one_that_is_named()
     let ran = mo_copp(&both, &["grade", document, "-", "--code", "second"]);
     assert_eq!(rows(&ran.out)[0]["seed"], "4");
     let ran = mo_copp(&both, &["grade", document, "-", "--code", "third"]);
-    assert!(ran.err.contains("found no column third, expected one of that name"), "{}", ran.err);
+    assert!(ran.err.contains("found \"first,second\", expected a column third"), "{}", ran.err);
 }

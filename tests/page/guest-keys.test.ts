@@ -1,5 +1,4 @@
-// The page's keys are the playground's only while whoever presses them sees what they do; and no dialog of it is left open
-// where nobody sees it.
+// The page's keys are the playground's only while it is in sight and in reach, and no dialog of it stays open out of sight.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Page } from "playwright-core";

@@ -1,4 +1,4 @@
-// Fields of the prose that hold what can't be used say so themselves; a step beyond the last is the last, whoever asks.
+// Fields of the prose that hold what can't be used say so themselves; a step beyond the last is the last, however it is set.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Page } from "playwright-core";

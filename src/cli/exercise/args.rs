@@ -90,8 +90,8 @@ pub struct CheckArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "\
 CODES is a table in CSV, as a form or a course system exports it, with a column named code, or one that alone has codes in
-it, or the one that --code names. With a column named seed each code must be of the seed in its row. Each answer is checked again; what a code says of a score is not read at all.
-The table that is printed has the columns of CODES and then: score, reason, seed, answer, attempts, hints. Where CODES has
+it, or the one that --code names. With a column named seed each code must be of the seed in its row. Each answer is checked
+again; what a code says of a score is not read at all. The table that is printed has the columns of CODES and then: score, reason, seed, answer, attempts, hints. Where CODES has
 a column of such a name, the one that is added is called graded score, graded seed and so on. A code proves which answer
 was given to which question. It does not prove who gave it, nor the attempts and hints that it tells.
 

@@ -67,9 +67,10 @@ impl CodeTable {
             }
         }
         let line = lines_before + 1;
-        let Some((separator, head)) = most.filter(|_| named_code.is_none()) else {
-            return Err((line, format!("found no column {wanted}, expected one of that name")));
-        };
+        let (separator, head) = most.unwrap_or_default();
+        if named_code.is_some() {
+            return Err((line, format!("found {:?}, expected a column {wanted}", head.join(","))));
+        }
         let columns = columns_with_codes(records(separator));
         if let [code] = columns[..] {
             let mut records = records(separator);

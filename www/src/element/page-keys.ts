@@ -48,7 +48,7 @@ export class PageKeys {
     for (const type of ["keypress", "keyup"]) window.removeEventListener(type, rest, { capture: true });
   }
 
-  /** Whether keys that are for nothing on the page are for this: whoever presses them sees what they do. */
+  /** Whether keys without a target on the page are for this playground: what they do is in sight. */
   get hasPage(): boolean {
     return this.reach() === "page" && isInReach(this.root);
   }

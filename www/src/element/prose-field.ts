@@ -91,7 +91,7 @@ export function showIn(part: Element, value: string, most: number | null): void 
   } else if (isField(part)) {
     // What is typed into a file's field is the person's alone.
     if (part.type === "file") return;
-    // Nor is what somebody is about to mend.
+    // A marked field keeps its text while it has the focus.
     if (marked.has(part) && part.matches(":focus")) return;
     unmark(part);
     if (part instanceof HTMLInputElement && most !== null)

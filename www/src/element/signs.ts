@@ -1,3 +1,3 @@
-// Events that tell that somebody is at work in the playground.
+// Events of use: a playground that has had one of them is at work.
 
 export const signs = ["pointerdown", "keydown", "click", "drop"] as const;

@@ -6,20 +6,21 @@ const walks: readonly unknown[] = ["walk", "best"];
 
 /** Whether the exercise of a document hides what observers believe. */
 export function hidesBeliefs(text: string): boolean {
-  try {
-    const { kind, hide } = JSON.parse(text).exercise;
-    return Array.isArray(hide) ? hide.includes("beliefs") : !walks.includes(kind);
-  } catch {
-    return false;
-  }
+  const block = blockOf(text);
+  if (block === null) return false;
+  return Array.isArray(block.hide) ? block.hide.includes("beliefs") : !walks.includes(block.kind);
 }
 
 /** Whether the exercise of a document asks for the true goal: its problem has a stand-in for it until it is found. */
-export function asksGoal(text: string): boolean {
+export const asksGoal = (text: string): boolean => blockOf(text)?.kind === "guess";
+
+/** The exercise of a document; null where there is none. */
+function blockOf(text: string): { kind?: unknown; hide?: unknown } | null {
   try {
-    return JSON.parse(text).exercise.kind === "guess";
+    const { exercise } = JSON.parse(text);
+    return typeof exercise === "object" ? exercise : null;
   } catch {
-    return false;
+    return null;
   }
 }
 

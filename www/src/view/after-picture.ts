@@ -1,8 +1,8 @@
 // Once what has changed is on the screen.
 
-/** Whoever looks at it has that long before anything else is done. */
+/** Between the picture and other work. */
 const MOMENT_MS = 100;
-/** Nothing is drawn while nobody looks. */
+/** A page that is hidden draws nothing: then after this. */
 const UNSEEN_MS = 1000;
 
 /** Settles a moment after the picture of what has just changed. */

@@ -1,5 +1,5 @@
-// Dialogs: a click beside one closes it, and so does a page that hides what it stands in: nothing else of the page could
-// be used, and nobody would see why.
+// Dialogs: a click beside one closes it, and so does a page that hides what it stands in: an unseen dialog would leave the
+// whole page inert.
 
 export function openModal(dialog: HTMLDialogElement): void {
   dialog.showModal();

@@ -51,7 +51,7 @@ function watcherTexts(
   few: boolean,
 ): string[] {
   const begins =
-    initial_belief === undefined
+    initial_belief === undefined || initial_belief.length === 1
       ? `${who(role)} knows the first state`
       : `At first ${who(role).toLowerCase()} does not know the first state: it may be ${listed(initial_belief, "or")}`;
   const told = toldText(sensor.map(([action, to, symbol]) => [`${action} into ${to}`, symbol]));

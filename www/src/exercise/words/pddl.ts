@@ -58,7 +58,8 @@ function watcherTexts(role: Role, { groups = {}, initial_belief, sensor }: Watch
 }
 
 function beginsText(watcher: string, belief: Watcher["initial_belief"]): Sentence {
-  if (belief === undefined) return `${watcher} knows the first state.`;
+  if (belief === undefined || (Array.isArray(belief) && belief.length === 1))
+    return `${watcher} knows the first state.`;
   const doubts = `At first ${watcher.toLowerCase()} does not know the first state. It may be`;
   if ("reachable" in belief)
     return `${doubts} any state that can be reached and in which this holds: ${belief.reachable}.`;
