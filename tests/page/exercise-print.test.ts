@@ -154,3 +154,18 @@ test("in another page a question is printed the same way", () =>
     },
     { viewport },
   ));
+
+test("where a name decides on the question, paper without one says so", () =>
+  visit(
+    async ({ page }) => {
+      await page.goto(`${address}?src=exercises/10-walk-both.json`);
+      await page.getByLabel("Your name or number").waitFor();
+      await styled(page);
+      await page.emulateMedia({ media: "print" });
+      const said = page.getByText("Each student has another question: give a name on the page, then print it.");
+      await said.waitFor();
+      await page.emulateMedia({ media: "screen" });
+      await said.waitFor({ state: "detached" });
+    },
+    { viewport },
+  ));

@@ -116,3 +116,19 @@ test("a question of box pushing shows its words, where the box begins, and state
     await page.getByText("S the start of the robot · □ where the box begins").waitFor();
     await page.getByRole("button", { name: "column 2, row 1, where the box begins" }).waitFor();
   }));
+
+test("an observer with one first state knows it", () => {
+  const document = JSON.parse(explicit);
+  const first = document.initial_state;
+  const told = explicitInWords({
+    ...document,
+    observers: {
+      adversarial: { ...document.observers.adversarial, initial_belief: [first] },
+      cooperative: document.observers.cooperative,
+    },
+  }).told.sentences;
+  assert.equal(told[0], "The enemy knows the first state.");
+  const blocks = example("blocksworld");
+  blocks.observers.adversarial.initial_belief = [{}];
+  assert.equal(pddlInWords(blocks).told.sentences[0], "The enemy knows the first state.");
+});

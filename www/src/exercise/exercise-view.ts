@@ -33,7 +33,7 @@ export function exerciseView({ exercise, exerciseDraft, edits, onPaper }: Exerci
     <h2 id="exercise-title">${question.title ?? "Exercise"}</h2>
     ${question.introduction === undefined ? nothing : html`<p class="introduction">${question.introduction}</p>`}
     ${exercise.asksName.value ? nameForm(exercise) : nothing}
-    ${exercise.asksName.value && exercise.name.value === null ? nothing : asked(exercise, question, onPaper.value)}
+    ${exercise.asksName.value && exercise.name.value === null ? unnamed(onPaper.value) : asked(exercise, question, onPaper.value)}
     ${
       tried?.text !== posed.text
         ? nothing
@@ -46,6 +46,10 @@ export function exerciseView({ exercise, exerciseDraft, edits, onPaper }: Exerci
     </fieldset>
   </section>`;
 }
+
+/** Before there is a name there is no question, on paper either. */
+const unnamed = (onPaper: boolean): TemplateResult | typeof nothing =>
+  onPaper ? html`<p>Each student has another question: give a name on the page, then print it.</p>` : nothing;
 
 /** Where the true goal is to be found, the problem has none to be opened with before. */
 function wayToProblem(
