@@ -83,9 +83,10 @@ const rememberDocuments = `
   };
 `;
 
-/** The document whose plan is shown, once the solver has answered. */
+/** The document whose plan is shown, once the solver has answered; the page's first answer is drawn before a worker has the document. */
 export async function documentOf<T = GridworldDocument>(page: Page): Promise<T> {
   await page.waitForSelector('mo-copp-playground:not([data-status="solving"])');
+  await page.waitForFunction("window.lastDocument !== undefined");
   return JSON.parse(await page.evaluate<string>("lastDocument")) as T;
 }
 
