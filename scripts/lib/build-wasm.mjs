@@ -51,9 +51,6 @@ export async function buildWasm(options = {}) {
   return codes.find((code) => code !== 0) ?? 0;
 }
 
-/** The full package for Node, for benchmarks; resolves to the exit code. */
-export const buildForNode = (folder) => build({ ...packages[0], folder }, "nodejs", {});
-
 async function buildWhereNeeded(one, options) {
   const now = fingerprint(one);
   const stamp = join(tools, `${one.file}-made-from`);
@@ -61,7 +58,7 @@ async function buildWhereNeeded(one, options) {
     (options.output ?? ((text) => process.stdout.write(text)))(`The ${one.name} is up to date.\n`);
     return 0;
   }
-  const code = await build(one, "web", options);
+  const code = await build(one, options);
   if (code !== 0) return code;
   mkdirSync(tools, { recursive: true });
   writeFileSync(stamp, now);
@@ -75,7 +72,7 @@ const cargoArgs = ({ profile, cargo }) => [
   ...cargo,
 ];
 
-async function build(one, kind, options) {
+async function build(one, options) {
   // A folder of its own for each, so that the two are built side by side.
   const target = inRoot("target", one.profile);
   const made = join(target, wasmTarget, one.profile, "mo_copp.wasm");
@@ -86,7 +83,7 @@ async function build(one, kind, options) {
   });
   if (compiled !== 0) return compiled;
   rmSync(one.folder, { recursive: true, force: true });
-  const bind = ["--target", kind, "--out-dir", one.folder, "--out-name", one.file, made];
+  const bind = ["--target", "web", "--out-dir", one.folder, "--out-name", one.file, made];
   const optimise = [wasmOf(one), "-o", wasmOf(one), ...one.optimiser];
   const code =
     (await start("wasm-bindgen", bind)) || (await start("wasm-opt", optimise)) || (await order(wasmOf(one), start));
