@@ -1,14 +1,16 @@
 //! `mo-copp picture`: draws the boards of a step, or of a whole plan, as SVG.
 
+pub mod args;
+
 use std::path::Path;
 
 use mo_copp::picture::{Boards, PictureOptions, draw};
 use mo_copp::problem::Problem;
 use mo_copp::solver::OptionsError;
 
-use super::args::PictureArgs;
 use super::error::CliError;
 use super::{input, plan_text, print};
+use args::PictureArgs;
 
 /// Draws and writes; the exit code.
 pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
