@@ -11,9 +11,6 @@ use super::palette::{Palette, Tone};
 use super::svg::Svg;
 use super::{cells, delivery, listing};
 
-/// The side of a board, in units of the picture.
-pub(super) const SIDE: f64 = 360.0;
-
 /// Whose board it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Owner {
@@ -94,7 +91,7 @@ impl<'a> BoardInput<'a> {
         }
     }
 
-    /// Draws the inside of the board, [`SIDE`] by [`SIDE`].
+    /// Draws the inside of the board, [`SIDE`](super::SIDE) by `SIDE`.
     pub fn draw(&self, svg: &mut Svg) {
         let numbers = self.numbers;
         match &self.scene.setting {

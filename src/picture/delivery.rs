@@ -3,7 +3,8 @@
 use crate::domain::delivery::Factory;
 use crate::problem::StateLabel;
 
-use super::boards::{BoardInput, Owner, SIDE};
+use super::SIDE;
+use super::boards::{BoardInput, Owner};
 use super::svg::{Anchor, Number, Svg};
 
 /// The height of the truck's line at the bottom.

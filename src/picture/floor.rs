@@ -6,7 +6,7 @@ use crate::domain::grid::Cell;
 use crate::problem::{StateLabel, Value};
 use crate::report::{BeliefReport, Feature, Share};
 
-use super::boards::SIDE;
+use super::SIDE;
 use super::svg::Number;
 
 /// What does not change from step to step.

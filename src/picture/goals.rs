@@ -1,6 +1,7 @@
 //! The list of candidate goals below a board: which of them the observer holds possible.
 
-use super::boards::{BoardInput, Owner, SIDE};
+use super::SIDE;
+use super::boards::{BoardInput, Owner};
 use super::signs::star;
 use super::svg::{Anchor, Number, Svg};
 

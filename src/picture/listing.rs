@@ -4,7 +4,8 @@ use crate::belief::StateCount;
 use crate::problem::StateLabel;
 use crate::report::Feature;
 
-use super::boards::{BoardInput, Owner, SIDE};
+use super::SIDE;
+use super::boards::{BoardInput, Owner};
 use super::svg::{Anchor, Number, Svg};
 
 const SIZE: f64 = 17.0;

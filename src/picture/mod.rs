@@ -153,6 +153,9 @@ pub enum PictureError {
     },
 }
 
+/// The side of a board, in units of the picture.
+const SIDE: f64 = 360.0;
+
 /// The most characters of an animation.
 const MOST_CHARACTERS: usize = 32 << 20;
 

@@ -7,10 +7,10 @@ use crate::domain::Document;
 use crate::goal_difference::written;
 use crate::report::{Scene, TraceReport};
 
-use super::boards::{BoardInput, Owner, SIDE};
+use super::boards::{BoardInput, Owner};
 use super::palette::{Palette, Theme, Tone};
 use super::svg::{Anchor, Escaped, Number, Svg};
-use super::{Boards, PictureError, PictureOptions, goals};
+use super::{Boards, PictureError, PictureOptions, SIDE, goals};
 
 const MARGIN: f64 = 24.0;
 const GAP: f64 = 28.0;
