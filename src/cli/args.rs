@@ -41,7 +41,7 @@ pub enum Command {
     Encode(EncodeArgs),
     /// Find a plan for a task in PDDL that nobody watches.
     Plan(PlanArgs),
-    /// Draw the boards of a step, or of a whole plan, as SVG.
+    /// Draw the boards of a step as SVG or PNG, or of a whole plan as SVG.
     Picture(PictureArgs),
     /// Print a random problem document.
     Generate(GenerateArgs),

@@ -8,6 +8,7 @@ use mo_copp::experiment::ExperimentError;
 use mo_copp::limits::LimitReached;
 use mo_copp::pddl::PddlError;
 use mo_copp::picture::PictureError;
+use mo_copp::picture::png::PngError;
 use mo_copp::plan::PlanError;
 use mo_copp::solver::{OptionsError, SolveError};
 use thiserror::Error;
@@ -34,6 +35,9 @@ pub enum CliError {
     /// A picture that cannot be drawn.
     #[error("{0}")]
     Picture(PictureError),
+    /// A picture of which there is no PNG.
+    #[error("{0}")]
+    Png(#[from] PngError),
     /// A document that is wrong.
     #[error("{file}: {error}")]
     Document {

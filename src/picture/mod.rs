@@ -4,7 +4,7 @@
 //! after the step (Section 2 of the paper) with the candidate goals that survive in it. It is one text
 //! without references to anything outside of it: fonts are the reader's own, colours stand in
 //! the text, names of the document are escaped. Command, page and JavaScript draw with this module, so
-//! that the same document, plan and step give the same text everywhere.
+//! that the same document, plan and step give the same text everywhere. Natively [`png`] makes pixels of it.
 //!
 //! ```
 //! use mo_copp::domain::{Delivery, Document};
@@ -25,6 +25,8 @@ mod floor;
 mod goals;
 mod listing;
 mod palette;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod png;
 mod request;
 mod sheet;
 mod signs;

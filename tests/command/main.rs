@@ -14,6 +14,7 @@ mod import;
 mod import_task;
 mod interrupt;
 mod picture;
+mod picture_png;
 mod plan;
 mod schema;
 mod sensor;

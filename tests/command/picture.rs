@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::mo_copp;
 
-fn corridor() -> String {
+pub fn corridor() -> String {
     fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/www/problems/corridor.json")).unwrap()
 }
 
@@ -24,24 +24,27 @@ fn a_file_is_what_its_name_says() {
         assert_eq!((code, err.as_str(), text.as_deref()), (0, "", Some(&*printed)), "{name}");
     }
     for (name, words) in [
-        ("picture.png", "of which other programs make PNG: rsvg-convert"),
-        ("picture.Pdf", "of which other programs make PDF: rsvg-convert"),
-        ("picture.webp", "of which other programs make WEBP: ImageMagick"),
-        ("picture.gif", "which moves in a browser with --animate; this program makes no GIF"),
-        ("picture.mp4", "which moves in a browser with --animate; this program makes no MP4"),
-        ("picture.WebM", "which moves in a browser with --animate; this program makes no WEBM"),
-        ("picture.tiff", "of which other programs make TIFF: ImageMagick"),
-        ("picture.html", "picture.svg\": no other format is written"),
-        ("picture.svgz", "picture.svg\": no other format is written"),
-        ("picture.v2", "picture.svg\": no other format is written"),
+        ("picture.Pdf", "; of an SVG other programs make PDF: rsvg-convert -f pdf, or inkscape"),
+        ("picture.webp", "; of a PNG other programs make WEBP, as ImageMagick"),
+        ("picture.tiff", "; of a PNG other programs make TIFF, as ImageMagick"),
+        ("picture.html", "picture.png\": no other format is written"),
+        ("picture.svgz", "picture.png\": no other format is written"),
+        ("picture.v2", "picture.png\": no other format is written"),
     ] {
         let (code, err, text) = drawn(name);
         assert_eq!((code, text), (2, None), "{name}");
-        assert!(
-            err.contains(&format!("{name}\", expected the name of an SVG file, as \"")),
-            "{err}"
-        );
-        assert!(err.contains(words), "{err}");
+        let expected = format!("{name}\", expected the name of an SVG or PNG file, as \"");
+        assert!(err.contains(&expected) && err.contains(words), "{err}");
+    }
+    for (name, words) in [
+        ("picture.gif", "which moves in a browser with --animate; this program makes no GIF"),
+        ("picture.mp4", "which moves in a browser with --animate; this program makes no MP4"),
+        ("picture.WebM", "which moves in a browser with --animate; this program makes no WEBM"),
+    ] {
+        let (code, err, text) = drawn(name);
+        assert_eq!((code, text), (2, None), "{name}");
+        let expected = format!("{name}\", expected the name of an SVG file, as \"");
+        assert!(err.contains(&expected) && err.contains(words), "{err}");
     }
 }
 

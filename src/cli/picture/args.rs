@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use mo_copp::picture::Theme;
+use mo_copp::picture::png::SCALES;
 
 /// Draw the boards.
 #[derive(Debug, Args)]
@@ -11,6 +12,7 @@ use mo_copp::picture::Theme;
 #[command(after_help = "\
 Examples:
   mo-copp picture grid.json --plan north,north,east --step 2 -o step.svg
+  mo-copp picture grid.json --plan north,north,east -o end.png --scale 4
   mo-copp picture grid.json --plan-file plan.txt --animate -o walk.svg
   mo-copp picture grid.json --plan north --board adversarial --no-captions --theme dark > enemy.svg")]
 pub struct PictureArgs {
@@ -43,11 +45,19 @@ pub struct PictureArgs {
     /// Light or dark.
     #[arg(long, value_parser = theme, value_name = "light|dark", default_value = "light")]
     pub theme: Theme,
-    /// The file to write; left out: the standard output.
+    /// The pixels of a PNG for each unit of the picture, from 0.5 to 8 [default: 2].
+    #[arg(long, value_parser = scale, value_name = "N")]
+    pub scale: Option<f64>,
+    /// The file to write, an SVG or by the end .png of its name a PNG; left out: SVG on the standard output.
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }
 
 fn theme(name: &str) -> Result<Theme, String> {
     Theme::named(name).ok_or_else(|| "expected light or dark".to_owned())
+}
+
+fn scale(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|scale| SCALES.contains(scale));
+    number.ok_or_else(|| format!("expected a number from {} to {}", SCALES.start(), SCALES.end()))
 }

@@ -1,20 +1,25 @@
-//! `mo-copp picture`: draws the boards of a step, or of a whole plan, as SVG.
+//! `mo-copp picture`: draws the boards of a step, or of a whole plan, as SVG or PNG.
 
 pub mod args;
+mod file;
 
-use std::path::Path;
-
+use mo_copp::picture::png::{SCALE, png};
 use mo_copp::picture::{Boards, PictureOptions, draw};
 use mo_copp::problem::Problem;
 use mo_copp::solver::OptionsError;
 
 use super::error::CliError;
-use super::{input, plan_text, print};
+use super::{input, note, plan_text, print};
 use args::PictureArgs;
+use file::Format;
 
 /// Draws and writes; the exit code.
 pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
-    args.out.as_deref().map_or(Ok(()), named_as_svg)?;
+    let format = Format::new(args.out.as_deref(), args.animate)?;
+    if let (Format::Svg, Some(scale)) = (format, args.scale) {
+        let expected = "a PNG, as with -o step.png: an SVG is as large as it is shown";
+        return Err(OptionsError::new("scale", scale.to_string(), expected).into());
+    }
     let (document, problem) = input::document(&args.problem)?;
     let plan = plan_text::plan(&problem, args.plan.as_deref(), args.plan_file.as_deref())?;
     let mut options = if args.animate {
@@ -27,49 +32,27 @@ pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
     options.numbers = args.numbers;
     options.theme = args.theme;
     let svg = draw(&document, &problem, &plan, &options)?;
-    match &args.out {
-        None => print(&svg)?,
-        Some(file) => std::fs::write(file, svg).map_err(|error| CliError::Write {
-            file: file.display().to_string(),
-            reason: error.to_string(),
-        })?,
+    match (&args.out, format) {
+        (None, _) => print(&svg)?,
+        (Some(out), Format::Svg) => file::write(out, svg.as_bytes())?,
+        (Some(out), Format::Png) => {
+            let picture = png(&svg, args.scale.unwrap_or(SCALE))?;
+            file::write(out, &picture.bytes)?;
+            if !picture.boxes.is_empty() {
+                note(&without_form(&picture.boxes));
+            }
+        }
     }
     Ok(0)
 }
 
-/// Programs go by the end of a name: SVG under another one is a file that none of them opens. A name without an end says
-/// nothing else.
-fn named_as_svg(file: &Path) -> Result<(), CliError> {
-    let Some(end) = file.extension().map(|end| end.to_string_lossy().to_lowercase()) else {
-        return Ok(());
-    };
-    if end == "svg" {
-        return Ok(());
-    }
-    let svg = file.with_extension("svg");
-    let svg = svg.display().to_string();
-    let expected = match programs_for(&end) {
-        Some(others) => format!("the name of an SVG file, as {svg:?}, {others}"),
-        None => format!("the name of an SVG file, as {svg:?}: no other format is written"),
-    };
-    Err(OptionsError::new("out", format!("{:?}", file.display().to_string()), expected).into())
-}
-
-/// What makes a picture of another format of an SVG; nothing for names that say no such format.
-fn programs_for(end: &str) -> Option<String> {
-    let format = end.to_uppercase();
-    match end {
-        "png" | "pdf" | "eps" => Some(format!(
-            "of which other programs make {format}: rsvg-convert --zoom 2, or inkscape"
-        )),
-        "gif" | "apng" | "mp4" | "webm" | "mov" | "avi" | "mkv" | "ogv" => {
-            Some(format!("which moves in a browser with --animate; this program makes no {format}"))
-        }
-        "jpg" | "jpeg" | "webp" | "avif" | "bmp" | "tif" | "tiff" => Some(format!(
-            "of which other programs make {format}: ImageMagick (magick), from a PNG by rsvg-convert --zoom 2"
-        )),
-        _ => None,
-    }
+/// What is said of characters that no font has.
+fn without_form(characters: &[char]) -> String {
+    const MOST: usize = 12;
+    let shown: Vec<String> = characters.iter().take(MOST).map(char::to_string).collect();
+    let more = characters.len() - shown.len();
+    let more = if more == 0 { String::new() } else { format!(" and {more} more") };
+    format!("no font has {}{more}: a box stands in the place of each", shown.join(" "))
 }
 
 /// `all`, `actor` or the name of an observer.
