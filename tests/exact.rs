@@ -225,3 +225,17 @@ fn random_strips_problems_equal_enumeration() {
         equals_enumeration(&judge, horizon, &wish);
     }
 }
+
+#[test]
+fn no_upper_bound_is_below_the_best_plan_of_random_strips_problems() {
+    let mut dice = Dice::new(132);
+    let mut infeasible = 0;
+    for _ in 0..3_000 {
+        let judge = random::strips(&mut dice).judge();
+        let wish = random::wish(&mut dice, &judge.table);
+        let best = oracle::best(&judge.table, judge.endings().keys(), &wish);
+        infeasible += usize::from(best.is_none());
+        bounds_hold(&judge, &Judge::options(Solver::Exact, None, &wish), best);
+    }
+    assert!(infeasible > 100, "{infeasible}");
+}

@@ -58,11 +58,16 @@ pub(super) const TRANSITIONS_OF_BLOCKS: usize = 500_000;
 
 /// Multiplications of an elimination for invariants, at most: about a tenth of a second.
 pub(super) const WORK_OF_ELIMINATION: u64 = 20_000_000;
+/// The same of all eliminations for facts that invariants can do without: about a second.
+pub(super) const WORK_OF_REDUNDANCY: u64 = 200_000_000;
 /// Facts, operators and states of initial beliefs that invariants look at, at most.
 pub(super) const FACTS_OF_INVARIANTS: usize = 2_000;
 pub(super) const OPERATORS_OF_INVARIANTS: usize = 20_000;
 pub(super) const BELIEVED_OF_INVARIANTS: usize = 2_000;
-/// Combinations of values that an observer always knows, at most.
+/// Facts for exclusions of three, and words gone through in a pass over all operators, at most: some hundredths of a second.
+pub(super) const FACTS_OF_TRIPLES: usize = 400;
+pub(super) const WORDS_OF_TRIPLES: u64 = 5_000_000;
+/// Combinations of what an observer always knows, at most.
 pub(super) const CONTEXTS_OF_INVARIANTS: usize = 256;
 /// Different sums of one kind, at most.
 pub(super) const SUMS_OF_INVARIANTS: usize = 30_000;

@@ -71,6 +71,10 @@ pub(super) fn combine(parts: &[(&Vector, i32)]) -> Vector {
 pub(super) struct Weights {
     prime: Vec<u64>,
     bits: Vec<u64>,
+    /// Of the equations that they solve, over each field.
+    pub(super) ranks: [usize; 2],
+    /// Multiplications that it took.
+    pub(super) work: u64,
 }
 
 /// The sums of a state under one set of weights.
@@ -86,9 +90,22 @@ impl Weights {
         let mut ordered: Vec<&Vector> = vectors.iter().collect();
         ordered.sort_unstable();
         let mut random = Random(facts as u64);
-        let prime = solve_prime(&ordered, facts, &mut random)?;
-        let bits = solve_bits(&ordered, facts, &mut random);
-        Some(Self { prime, bits })
+        let (prime, rank, work) = solve_prime(&ordered, facts, &mut random)?;
+        let (bits, rank_of_bits) = solve_bits(&ordered, facts, &mut random);
+        Some(Self { prime, bits, ranks: [rank, rank_of_bits], work })
+    }
+
+    /// Adds a weight of its own for each block of the facts of a group.
+    pub(super) fn tell_apart(
+        &mut self,
+        group: usize,
+        blocks: impl Iterator<Item = (usize, usize)>,
+    ) {
+        for (fact, block) in blocks {
+            let mut random = Random((group as u64) << 32 | block as u64);
+            self.prime[fact] = add(self.prime[fact], random.next() % PRIME);
+            self.bits[fact] ^= random.next();
+        }
     }
 
     /// The weights of one fact.
@@ -97,8 +114,12 @@ impl Weights {
     }
 }
 
-/// A random solution over the prime field.
-fn solve_prime(vectors: &[&Vector], facts: usize, random: &mut Random) -> Option<Vec<u64>> {
+/// A random solution over the prime field, the rank, and the multiplications that it took.
+fn solve_prime(
+    vectors: &[&Vector],
+    facts: usize,
+    random: &mut Random,
+) -> Option<(Vec<u64>, usize, u64)> {
     let mut rows: Vec<(usize, Vec<u64>)> = Vec::new();
     let mut work = 0;
     for vector in vectors {
@@ -136,11 +157,11 @@ fn solve_prime(vectors: &[&Vector], facts: usize, random: &mut Random) -> Option
         let sum = others.fold(0, |sum, (_, (value, weight))| add(sum, multiply(*value, *weight)));
         weights[*pivot] = negate(sum);
     }
-    Some(weights)
+    Some((weights, rows.len(), work))
 }
 
-/// 64 random solutions over GF(2), a bit for each.
-fn solve_bits(vectors: &[&Vector], facts: usize, random: &mut Random) -> Vec<u64> {
+/// 64 random solutions over GF(2), a bit for each, and the rank.
+fn solve_bits(vectors: &[&Vector], facts: usize, random: &mut Random) -> (Vec<u64>, usize) {
     let mut rows: Vec<(usize, Vec<u64>)> = Vec::new();
     for vector in vectors {
         let mut dense = vec![0_u64; facts.div_ceil(64)];
@@ -162,5 +183,5 @@ fn solve_bits(vectors: &[&Vector], facts: usize, random: &mut Random) -> Vec<u64
             (0..facts).filter(|fact| fact != pivot && row[fact / 64] >> (fact % 64) & 1 == 1);
         weights[*pivot] = others.fold(0, |sum, fact| sum ^ weights[fact]);
     }
-    weights
+    (weights, rows.len())
 }

@@ -6,8 +6,8 @@
 //! one belief. Such weights are the solutions of linear equations, one for each operator, found by
 //! Gaussian elimination. Where the amount is 0 for every operator, the sum never changes at all.
 //!
-//! Where the observer always knows the value of some group, such as the place of the only airplane,
-//! only the operators that may apply at that value are compared.
+//! Where the observer always [knows](super::known_values) the value of some group, such as the place of the only airplane, or
+//! one of its blocks, only the operators that may apply then are compared, and states in different blocks are told apart.
 //!
 //! Any field does. Over a large prime field one solution at random tells apart nearly all that the
 //! solutions together do; over GF(2) 64 of them do, and parities are found that way. What they
@@ -16,14 +16,20 @@
 //! A goal can survive for an enemy only if some state that satisfies it, whatever its groups of
 //! exclusive facts hold otherwise of what is not [excluded](super::mutual_exclusion), has the sum of the final state; so the bound is the greatest
 //! number of such goals over the sums of states that satisfy the true goal. Sums are added up group
-//! by group. In Logistics the sums are how many packages are in each city. Where there are too many sums, the facts that
-//! add to them in the most ways are left out: the invariants over the others hold still.
+//! by group. In Logistics the sums are how many packages are in each city. Where there are too many sums,
+//! [redundant groups](super::redundant_groups) are left out, then the facts that add to them in the most ways: the invariants
+//! over the others hold still.
+
+#[cfg(test)]
+mod tests;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::elimination::{Sum, Vector, Weights, combine, plus};
+use super::known_values::KnownValues;
 use super::mutual_exclusion::MutualExclusion;
-use super::{Bound, Most};
+use super::triple_exclusion::TripleExclusion;
+use super::{Bound, Most, redundant_groups};
 use crate::limits::LimitReached;
 use crate::problem::{Problem, Role};
 use crate::sensor::{Sensor, Symbol};
@@ -55,6 +61,8 @@ pub(super) struct Facts<'a> {
     /// By group: the values it can have.
     pub(super) values: Vec<Vec<usize>>,
     exclusions: MutualExclusion,
+    /// None in large tasks.
+    triples: Option<TripleExclusion>,
 }
 
 impl<'a> Facts<'a> {
@@ -78,7 +86,8 @@ impl<'a> Facts<'a> {
             })
             .collect();
         let exclusions = MutualExclusion::new(task, &starts);
-        let mut facts = Self { task, effects: Vec::new(), values, exclusions };
+        let triples = TripleExclusion::new(task, &starts);
+        let mut facts = Self { task, effects: Vec::new(), values, exclusions, triples };
         for operator in task.operators() {
             let changes = changes(task, operator);
             let certain = |change: &&Change| !change.optional;
@@ -112,6 +121,12 @@ impl<'a> Facts<'a> {
     fn may_have(&self, group: usize, value: usize, held: &[Fact]) -> bool {
         self.fact(group, value).is_none_or(|fact| {
             held.iter().all(|held| self.exclusions.occur_together(fact, held.index()))
+                && self.triples.as_ref().is_none_or(|triples| {
+                    held.iter().enumerate().all(|(place, one)| {
+                        let mut others = held[..place].iter();
+                        others.all(|two| triples.occur_together(one.index(), two.index(), fact))
+                    })
+                })
         })
     }
 
@@ -157,16 +172,10 @@ impl<'a> Facts<'a> {
     /// The values of a group in states that satisfy a goal.
     fn values_with(&self, group: usize, goal: &[Fact]) -> impl Iterator<Item = usize> {
         let layout = self.task.layout();
+        let asked = goal.iter().find(|asked| layout.group(**asked) == group);
+        let asked = asked.map(|asked| layout.value(*asked));
         let fits = move |value: &usize| {
-            goal.iter().all(|asked| {
-                let (other, asked_value) = (layout.group(*asked), layout.value(*asked));
-                let fact = self.fact(group, *value);
-                if other == group {
-                    asked_value == *value
-                } else {
-                    fact.is_none_or(|fact| self.exclusions.occur_together(fact, asked.index()))
-                }
-            })
+            asked.is_none_or(|asked| asked == *value) && self.may_have(group, *value, goal)
         };
         self.values[group].iter().copied().filter(fits)
     }
@@ -186,7 +195,7 @@ impl<'a> Facts<'a> {
     }
 
     /// Weights whose sum no operator changes.
-    fn unchanging(&self, left_out: &[bool]) -> Option<Weights> {
+    pub(super) fn unchanging(&self, left_out: &[bool]) -> Option<Weights> {
         let mut vectors = Self::without(left_out);
         for effect in &self.effects {
             vectors.insert(effect.base.clone());
@@ -210,13 +219,11 @@ impl<'a> Facts<'a> {
         for effect in &self.effects {
             vectors.extend(effect.differences.iter().cloned());
         }
-        for context in self.contexts(&symbols, believed) {
+        let blocks = KnownValues::new(self, &symbols, believed);
+        for context in blocks.contexts(self) {
             let mut first: FxHashMap<usize, &Vector> = FxHashMap::default();
             for (effect, symbols) in self.effects.iter().zip(&symbols) {
-                let conflicts = |known: &(usize, usize)| {
-                    effect.asks.iter().any(|ask| ask.0 == known.0 && ask.1 != known.1)
-                };
-                if context.iter().any(conflicts) {
+                if blocks.excludes(&context, effect) {
                     continue;
                 }
                 for symbol in symbols {
@@ -233,7 +240,17 @@ impl<'a> Facts<'a> {
                 vectors.insert(combine(&[(&as_vector(other), 1), (&start, -1)]));
             }
         }
-        Weights::orthogonal_to(&vectors, self.task.fact_count())
+        let mut weights = Weights::orthogonal_to(&vectors, self.task.fact_count())?;
+        let groups = (0..self.values.len()).map(|group| self.task.layout().facts_of_group(group));
+        for (group, of_group) in groups.enumerate() {
+            if of_group.iter().all(|fact| !left_out[fact.index()]) {
+                let blocks = of_group.iter().map(|fact| {
+                    (fact.index(), blocks.block(group, self.task.layout().value(*fact)))
+                });
+                weights.tell_apart(group, blocks.filter(|(_, block)| *block != 0));
+            }
+        }
+        Some(weights)
     }
 
     fn sum(&self, weights: &Weights, facts: &[Fact]) -> Sum {
@@ -284,22 +301,21 @@ impl Invariants {
         }
         let facts = Facts::new(problem)?;
         let mut left_out = vec![false; task.fact_count()];
+        let mut redundant = true;
         loop {
             let unchanging = facts.unchanging(&left_out)?;
             let known = Self::known(problem, &facts, &left_out)?;
             if let Some(most) = Self::most_of(space, &facts, &unchanging, &known) {
                 return Some(most);
             }
-            // There are too many sums. Without the facts that add to them in the most ways there are fewer.
-            let weights: Vec<&Weights> = [&unchanging].into_iter().chain(&known).collect();
-            let most_choices = |group: usize| {
-                let goals = problem.goals().iter();
-                let choices =
-                    goals.map(|goal| facts.choices(group, &goal.condition, &weights).len());
-                choices.max().unwrap_or(0)
-            };
-            let groups = 0..facts.values.len();
-            let choices: Vec<usize> = groups.map(most_choices).collect();
+            // There are too many sums.
+            if std::mem::take(&mut redundant) {
+                if redundant_groups::leave_out(problem, &facts, &mut left_out).is_some() {
+                    continue;
+                }
+            }
+            // Without the facts that add to them in the most ways there are fewer.
+            let choices = Self::most_choices(problem, &facts, &unchanging, &known);
             let most = choices.iter().copied().max().filter(|most| *most > 1)?;
             for (group, _) in choices.iter().enumerate().filter(|(_, count)| **count == most) {
                 for goal in problem.goals() {
@@ -311,8 +327,28 @@ impl Invariants {
         }
     }
 
+    /// By group: in how many ways its values add to sums, for the goal with the most.
+    fn most_choices(
+        problem: &Problem,
+        facts: &Facts<'_>,
+        unchanging: &Weights,
+        known: &[Weights],
+    ) -> Vec<usize> {
+        let weights: Vec<&Weights> = [unchanging].into_iter().chain(known).collect();
+        let of_group = |group: usize| {
+            let goals = problem.goals().iter();
+            let choices = goals.map(|goal| facts.choices(group, &goal.condition, &weights).len());
+            choices.max().unwrap_or(0)
+        };
+        (0..facts.values.len()).map(of_group).collect()
+    }
+
     /// What each enemy knows.
-    fn known(problem: &Problem, facts: &Facts<'_>, left_out: &[bool]) -> Option<Vec<Weights>> {
+    pub(super) fn known(
+        problem: &Problem,
+        facts: &Facts<'_>,
+        left_out: &[bool],
+    ) -> Option<Vec<Weights>> {
         let enemies = problem.observers().iter().filter(|o| o.role == Role::Adversarial);
         enemies
             .map(|enemy| {
@@ -394,31 +430,5 @@ impl Bound for Invariants {
 
     fn most(&mut self, space: &mut Space) -> Result<Most, LimitReached> {
         Ok(Self::compute(space).unwrap_or(Most::Unaffordable))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used)]
-
-    use std::sync::Arc;
-
-    use crate::domain::Document;
-    use crate::solver::{Options, Solver, UpperBound, upper_bounds};
-
-    /// Parcels on two shelves of two towns, lifted by hand, and one van: what the van carries is no value of the group of
-    /// places, and what lies on what makes many sums.
-    #[test]
-    fn how_much_is_in_each_town_is_known_where_the_place_of_the_van_is() {
-        let text = include_str!("invariants/stacks.json");
-        let document = Document::parse(text).unwrap();
-        let problem = Arc::new(document.problem().unwrap());
-        for (k, infeasible) in [(2, false), (3, true)] {
-            let mut options = Options::new(Solver::Satisficing);
-            options.bounds.at_least = Some(k);
-            let bounds = upper_bounds(&problem, &options).unwrap();
-            let says = bounds.iter().find(|(name, _)| *name == "linear invariants").unwrap().1;
-            assert_eq!(says == UpperBound::Infeasible, infeasible, "{k} {says:?}");
-        }
     }
 }

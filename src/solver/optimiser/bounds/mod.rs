@@ -20,6 +20,8 @@ mod matrix;
 mod mutual_exclusion;
 mod pair_tables;
 pub(super) mod pairs;
+mod redundant_groups;
+mod triple_exclusion;
 pub(super) mod trivial;
 
 use std::sync::Arc;
