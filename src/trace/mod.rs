@@ -222,6 +222,7 @@ impl<'a> Replay<'a> {
 /// # Errors
 ///
 /// [`InvalidPlan`] when it does not.
+#[cfg(test)]
 pub(crate) fn symbols(problem: &Problem, plan: &Plan) -> Result<Vec<Vec<Symbol>>, InvalidPlan> {
     let replay = Replay::new(problem, plan)?;
     if !replay.reaches_goal() {

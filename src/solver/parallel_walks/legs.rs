@@ -1,9 +1,10 @@
-//! Legs: walks of the actor from a state to a goal, by greedy best-first search.
+//! Legs: walks of the actor from a state to a goal, by greedy best-first search or breadth first.
 //!
 //! With deferred evaluation a state is evaluated when it is taken from the open list, where it waits with the value of the
 //! one before it, and those that preferred actions lead to wait in a list of their own as well, which is taken from more often
 //! after each step forward. That finds legs in larger tasks; with eager evaluation, where each state waits with its own
-//! value, they are others and mostly shorter.
+//! value, they are others and mostly shorter. In a small state space values can lead nowhere for long, while going through all
+//! of it breadth first takes less than a second.
 //!
 //! Source: Richter and Helmert 2009, "Preferred operators and deferred evaluation in satisficing planning"
 //! (doi:10.1609/icaps.v19i1.13345).
@@ -17,8 +18,34 @@ use crate::heuristic::UNREACHABLE;
 use crate::problem::JointSpace;
 use crate::task::{Action, StateId};
 
-/// States expanded for a leg, at most: some seconds. A task that takes more is one for the classical planners.
-const MOST_EXPANSIONS: usize = 150_000;
+/// How much a search for a leg may take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Effort {
+    /// To a goal on the way to another.
+    OnTheWay,
+    /// In the first round: about a second.
+    First,
+    /// In later rounds: some seconds. A task that takes more is one for the classical planners.
+    Most,
+}
+
+impl Effort {
+    /// States evaluated, at most.
+    fn evaluations(self) -> usize {
+        match self {
+            Self::OnTheWay => 20_000,
+            Self::First => 50_000,
+            Self::Most => 150_000,
+        }
+    }
+}
+
+/// States expanded breadth first, at most, and their transitions: about half a second.
+const MOST_BLIND: usize = 500_000;
+const MOST_TRANSITIONS: usize = 3_000_000;
+
+/// States expanded without a value that are as much work as one value.
+const BLIND_FOR_A_VALUE: usize = 16;
 
 /// Turns that the list of preferred states gains with each smaller value.
 const BOOST: i64 = 1_000;
@@ -59,6 +86,8 @@ impl OpenList {
 pub(super) enum Evaluation {
     /// When they are taken from the open list.
     Deferred,
+    /// Never: breadth first.
+    Blind,
     /// When they come to it.
     Eager,
 }
@@ -68,12 +97,15 @@ pub(super) enum Evaluation {
 pub(super) struct LegSearch {
     goal: usize,
     evaluation: Evaluation,
+    effort: Effort,
     all: OpenList,
     preferred: OpenList,
     /// What led to each state that was evaluated; nothing to the first.
     met: FxHashMap<StateId, Option<Waiting>>,
     least: u32,
-    expansions: usize,
+    /// States evaluated, or without values expanded.
+    work: usize,
+    transitions: usize,
     /// The preferred actions of the state at hand.
     actions: Vec<Action>,
 }
@@ -88,15 +120,17 @@ pub(super) enum LegStep {
 
 impl LegSearch {
     /// To a goal.
-    pub(super) fn new(goal: usize, evaluation: Evaluation) -> Self {
+    pub(super) fn new(goal: usize, evaluation: Evaluation, effort: Effort) -> Self {
         Self {
             goal,
             evaluation,
+            effort,
             all: OpenList::default(),
             preferred: OpenList::default(),
             met: FxHashMap::default(),
             least: UNREACHABLE,
-            expansions: 0,
+            work: 0,
+            transitions: 0,
             actions: Vec::new(),
         }
     }
@@ -124,6 +158,12 @@ impl LegSearch {
                 estimates.with_preferred(joint, state, self.goal, &mut self.actions)
             }
             Evaluation::Eager => estimates.of_state(joint, state, self.goal),
+            Evaluation::Blind => {
+                if self.work.is_multiple_of(BLIND_FOR_A_VALUE) {
+                    estimates.worked_out += 1;
+                }
+                u32::from(!joint.goals_of_state(state).contains(self.goal))
+            }
         };
         if value == 0 {
             return LegStep::Over(Some(self.edges(state)));
@@ -135,14 +175,16 @@ impl LegSearch {
             self.least = value;
             self.preferred.turns -= BOOST;
         }
-        self.expansions += 1;
+        self.work += 1;
         joint.states_mut().expand(state);
         for edge in joint.states().edge_range(state) {
             let taken = joint.states().all_edges()[edge];
+            self.transitions += 1;
             if self.met.contains_key(&taken.target) {
                 continue;
             }
             if self.evaluation == Evaluation::Eager {
+                self.work += 1;
                 let value = estimates.of_state(joint, taken.target, self.goal);
                 if value != UNREACHABLE {
                     self.all.push(value, (edge, state));
@@ -155,6 +197,13 @@ impl LegSearch {
             }
         }
         LegStep::Working
+    }
+
+    fn is_spent(&self) -> bool {
+        match self.evaluation {
+            Evaluation::Deferred | Evaluation::Eager => self.work >= self.effort.evaluations(),
+            Evaluation::Blind => self.work >= MOST_BLIND || self.transitions >= MOST_TRANSITIONS,
+        }
     }
 
     /// The transitions that led to a state.
@@ -180,7 +229,7 @@ impl LegSearch {
             self.met.insert(from, None);
             return self.expand(joint, estimates, from);
         }
-        if self.expansions == MOST_EXPANSIONS {
+        if self.is_spent() {
             return LegStep::Over(None);
         }
         let lists = if self.preferred.turns <= self.all.turns {

@@ -23,7 +23,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use self::estimates::GoalEstimates;
-use self::legs::{Evaluation, LegSearch, LegStep};
+use self::legs::{Effort, Evaluation, LegSearch, LegStep};
 use self::walkers::Walkers;
 use super::engine::{Advance, Engine, Finding};
 use super::outcome::{Progress, Stats, Status};
@@ -113,12 +113,12 @@ pub(in crate::solver) fn beside(
     if !known.is_empty() {
         return known;
     }
-    let Ok(symbols) = crate::trace::symbols(problem, plan) else { return Vec::new() };
     let mut joint = JointSpace::new(Arc::clone(problem), limits);
     joint.keep_listed();
+    let Some(edges) = transitions(&mut joint, plan) else { return Vec::new() };
     let mut estimates = GoalEstimates::new(&joint);
     let mut found = Vec::new();
-    for (place, (observer, seen)) in problem.observers().iter().zip(&symbols).enumerate() {
+    for (place, observer) in problem.observers().iter().enumerate() {
         let goals = 0..problem.goals().len();
         for goal in goals.filter(|&goal| goal != problem.true_goal()) {
             let bytes = joint.bytes() + estimates.bytes();
@@ -129,13 +129,27 @@ pub(in crate::solver) fn beside(
                 continue;
             }
             let mut walkers = Walkers::new(&mut joint, &mut estimates, (place, goal), WIDTH);
-            if let Some((start, actions)) = walkers.walk(&mut joint, &mut estimates, seen) {
+            if let Some((start, actions)) = walkers.walk(&mut joint, &mut estimates, &edges) {
                 let start = joint.states().state(start);
                 found.push(Witness { observer: place, goal, start, actions });
             }
         }
     }
     found
+}
+
+/// The transitions of a plan; none where it has an action that cannot be taken.
+fn transitions(joint: &mut JointSpace, plan: &Plan) -> Option<Vec<usize>> {
+    let mut at = joint.initial().state;
+    let mut edges = Vec::with_capacity(plan.actions.len());
+    for &action in &plan.actions {
+        joint.states_mut().expand(at);
+        let states = joint.states();
+        let edge = states.edge_range(at).find(|&edge| states.all_edges()[edge].action == action)?;
+        at = states.all_edges()[edge].target;
+        edges.push(edge);
+    }
+    Some(edges)
 }
 
 impl ParallelWalks {
@@ -161,8 +175,8 @@ impl ParallelWalks {
             tried: 0,
             counts: Stats::default(),
         };
-        search.begin_routes();
         search.begin_walkers();
+        search.begin_routes();
         search.stage = search.first_leg();
         search
     }
@@ -171,9 +185,18 @@ impl ParallelWalks {
     fn begin_routes(&mut self) {
         let problem = self.joint.problem();
         let (goals, true_goal) = (problem.goals().len(), problem.true_goal());
+        // Nearest first, where an enemy says how near they are.
+        let walkers = self.walkers.iter().flatten().next();
+        let nearest = walkers.into_iter().flatten().map(Walkers::goal);
+        let mut others: Vec<usize> = nearest.collect();
+        others.extend((0..goals).filter(|&goal| goal != true_goal && walkers.is_none()));
+        let routes = routes::routes(&others, true_goal);
         // Routes through two goals are many: they wait for the widest beams.
-        let routes = if self.width < MOST_WIDTH { goals } else { usize::MAX };
-        self.routes = Box::new(routes::routes(goals, true_goal).take(routes));
+        self.routes = if self.width < MOST_WIDTH {
+            Box::new(routes)
+        } else {
+            Box::new(routes.chain(routes::through_two(&others, true_goal)))
+        };
     }
 
     /// Begins with new walkers.
@@ -208,13 +231,17 @@ impl ParallelWalks {
     fn first_leg(&mut self) -> Stage {
         let root = self.joint.initial();
         let mut route = self.routes.next();
-        if route.is_none() && (self.evaluation == Evaluation::Deferred || self.width < MOST_WIDTH) {
+        if route.is_none() && (self.evaluation != Evaluation::Eager || self.width < MOST_WIDTH) {
+            self.evaluation = match self.evaluation {
+                Evaluation::Deferred => Evaluation::Blind,
+                Evaluation::Blind => Evaluation::Eager,
+                Evaluation::Eager => Evaluation::Deferred,
+            };
             if self.evaluation == Evaluation::Deferred {
-                self.evaluation = Evaluation::Eager;
-            } else {
-                self.evaluation = Evaluation::Deferred;
                 self.width *= WIDER;
                 self.begin_walkers();
+                // What was not found is looked for with more effort.
+                self.legs.retain(|_, leg| leg.is_some());
             }
             self.begin_routes();
             route = self.routes.next();
@@ -226,7 +253,12 @@ impl ParallelWalks {
         let Some(&goal) = ahead.first() else { return Stage::Friends(edges) };
         match self.legs.get(&(from, goal, self.evaluation)) {
             None => {
-                let search = Box::new(LegSearch::new(goal, self.evaluation));
+                let effort = match (ahead.len(), self.width) {
+                    (1, WIDTH) => Effort::First,
+                    (1, _) => Effort::Most,
+                    _ => Effort::OnTheWay,
+                };
+                let search = Box::new(LegSearch::new(goal, self.evaluation, effort));
                 Stage::Search(search, edges, from, ahead)
             }
             Some(Some((leg, end))) => {
@@ -234,8 +266,16 @@ impl ParallelWalks {
                 ahead.remove(0);
                 Stage::Leg(edges, *end, ahead)
             }
-            // Without a direct way no route ends well.
-            Some(None) if self.tried == 0 => Stage::Exhausted,
+            // A goal that is not found on the way is passed over.
+            Some(None) if ahead.len() > 1 => {
+                ahead.remove(0);
+                Stage::Leg(edges, from, ahead)
+            }
+            // Without a direct way no route of these legs ends well.
+            Some(None) if from == self.joint.initial().state => {
+                self.routes = Box::new(std::iter::empty());
+                self.next_route()
+            }
             Some(None) => self.next_route(),
         }
     }
@@ -335,13 +375,12 @@ impl ParallelWalks {
         if place == count || alive + count - place < needed {
             return self.next_route();
         }
-        let seen = self.seen(enemy, &edges);
         let Self { joint, estimates, walkers, .. } = self;
         let Some(walkers) = walkers[enemy].as_mut().map(|all| &mut all[place]) else {
             return Stage::Exhausted;
         };
         let goal = walkers.goal();
-        let walk = walkers.walk(joint, estimates, &seen);
+        let walk = walkers.walk(joint, estimates, &edges);
         self.counts.walks += 1;
         self.counts.walks_found += u64::from(walk.is_some());
         match walk {

@@ -1,18 +1,43 @@
 //! Routes: the goals that a plan goes through on its way to the true one.
 //!
-//! A longer plan leaves more walks that look the same. The direct route comes first, then those through one other goal, then
-//! those through two.
+//! A longer plan leaves more walks that look the same. The direct route comes first, then those through one of the nearest other
+//! goals. Then there are round trips that come to the true goal, go to another one and come back, to the next one and come
+//! back: what can be done only once, such as opening a door, is done by then, so a walk that went along has the time of the way
+//! back to leave for a goal of its own. Each trip goes on from the one before, with which it shares all walks up to there.
 
-/// The routes of a problem with this number of goals, each a list of goals that ends in the true one.
-pub(super) fn routes(goals: usize, true_goal: usize) -> impl Iterator<Item = Vec<usize>> {
-    let others = move || (0..goals).filter(move |&goal| goal != true_goal);
+/// Goals of a round trip, at most.
+const LONGEST_TRIP: usize = 8;
+
+/// Routes through one other goal before round trips.
+const FIRST_THROUGH_ONE: usize = 3;
+
+/// The routes to the true goal, each a list of goals that ends in it, through others in the order given.
+pub(super) fn routes(
+    others: &[usize],
+    true_goal: usize,
+) -> impl Iterator<Item = Vec<usize>> + use<> {
     let direct = std::iter::once(vec![true_goal]);
-    let through_one = others().map(move |goal| vec![goal, true_goal]);
-    let through_two = others().flat_map(move |one| {
-        let second = (0..goals).filter(move |&two| two != one);
-        second.map(move |two| vec![one, two, true_goal]).filter(move |route| route[1] != route[2])
+    let (first, rest) = others.split_at(others.len().min(FIRST_THROUGH_ONE));
+    let through_one =
+        move |goals: &[usize]| goals.to_vec().into_iter().map(move |goal| vec![goal, true_goal]);
+    let (first, rest, others) = (through_one(first), through_one(rest), others.to_vec());
+    let trips = (1..=others.len().min(LONGEST_TRIP)).map(move |size| {
+        let there_and_back = others[..size].iter().flat_map(|goal| [*goal, true_goal]);
+        std::iter::once(true_goal).chain(there_and_back).collect()
     });
-    direct.chain(through_one).chain(through_two)
+    direct.chain(first).chain(trips).chain(rest)
+}
+
+/// The routes through two others.
+pub(super) fn through_two(
+    others: &[usize],
+    true_goal: usize,
+) -> impl Iterator<Item = Vec<usize>> + use<> {
+    let others = others.to_vec();
+    others.clone().into_iter().flat_map(move |one| {
+        let second = others.clone().into_iter().filter(move |&two| two != one);
+        second.map(move |two| vec![one, two, true_goal])
+    })
 }
 
 #[cfg(test)]
@@ -20,9 +45,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_direct_one_first_then_through_one_and_two() {
-        let all: Vec<Vec<usize>> = routes(3, 1).collect();
-        let expected: [&[usize]; 5] = [&[1], &[0, 1], &[2, 1], &[0, 2, 1], &[2, 0, 1]];
+    fn the_direct_one_first_then_through_others_and_round_trips() {
+        let first = routes(&[2, 0], 1);
+        let all: Vec<Vec<usize>> = first.chain(through_two(&[2, 0], 1)).collect();
+        let expected: [&[usize]; 7] =
+            [&[1], &[2, 1], &[0, 1], &[1, 2, 1], &[1, 2, 1, 0, 1], &[2, 0, 1], &[0, 2, 1]];
         assert_eq!(all, expected);
     }
 }

@@ -136,15 +136,14 @@ fn a_leg_is_found_exactly_where_there_is_one_a_state_at_a_time() {
         let reached = reachable_goals(&mut joint);
         let mut estimates = GoalEstimates::new(&joint);
         let from = joint.initial().state;
-        let ways = [Evaluation::Deferred, Evaluation::Eager];
+        let ways = [Evaluation::Deferred, Evaluation::Blind, Evaluation::Eager];
         let searches = reached.into_iter().enumerate().flat_map(|goal| ways.map(|way| (goal, way)));
         for ((goal, reached), way) in searches {
-            let mut search = LegSearch::new(goal, way);
+            let mut search = LegSearch::new(goal, way, Effort::Most);
             let edges = loop {
                 let before = estimates.worked_out;
                 let step = search.step(&mut joint, &mut estimates, from);
-                let most =
-                    if way == Evaluation::Deferred { 1 } else { judge.table.actions.len() + 1 };
+                let most = if way == Evaluation::Eager { judge.table.actions.len() + 1 } else { 1 };
                 assert!(estimates.worked_out <= before + most as u64, "a step is one state");
                 if let LegStep::Over(edges) = step {
                     break edges;
@@ -166,4 +165,27 @@ fn a_leg_is_found_exactly_where_there_is_one_a_state_at_a_time() {
         }
     }
     assert!(found > 1_000 && missing > 50, "{found} {missing}");
+}
+
+/// A corridor of five places with a door before the last one, which opens once. The nearest plan ends right behind the door, and
+/// whoever opens it too has no time for the way to the other end.
+const CORRIDOR: &str = r#"{
+ "format": "pddl",
+ "domain": "(define (domain corridor) (:predicates (at ?x) (next ?x ?y) (free ?x) (locked ?x)) (:action move :parameters (?x ?y) :precondition (and (at ?x) (next ?x ?y) (free ?y)) :effect (and (at ?y) (not (at ?x)))) (:action open :parameters (?x ?y) :precondition (and (at ?x) (next ?x ?y) (locked ?y)) :effect (and (free ?y) (not (locked ?y)))))",
+ "problem": "(define (problem door) (:domain corridor) (:objects a b c d e) (:init (at d) (next a b) (next b a) (next b c) (next c b) (next c d) (next d c) (next d e) (next e d) (free a) (free b) (free c) (free d) (locked e)))",
+ "goals": [{"name": "G1", "condition": "(at e)"}, {"name": "G2", "condition": "(at a)"}],
+ "true_goal": "G1",
+ "observers": {"adversarial": {"sensor": "{name}"}, "cooperative": {"sensor": "{name} {1}"}}
+}"#;
+
+#[test]
+fn a_round_trip_gives_a_walk_the_time_for_its_way_back_from_what_is_done_once() {
+    let document = crate::domain::Document::parse(CORRIDOR).unwrap();
+    let problem = Arc::new(document.problem().unwrap());
+    let mut options = Options::new(Solver::Satisficing);
+    options.bounds.at_least = Some(2);
+    let (plan, witnesses) = run(&problem, &options, 1).unwrap();
+    assert_eq!(validate(&problem, &plan).unwrap().counts.adversarial, 2);
+    assert_eq!(witnesses.len(), 1);
+    assert_eq!(plan.len(), 10, "to the goal, to the other one and back");
 }

@@ -1,7 +1,9 @@
 //! Walkers: for one candidate goal, walks that show one observer what it sees of the plan.
 //!
-//! A beam holds the states nearest to the goal in which such walks end, each a member of the observer's belief. What follows
-//! on a beam and a symbol is worked out once, so plans that begin alike share their beams.
+//! A beam holds the states nearest to the goal in which such walks end, each a member of the observer's belief, and the state
+//! of the plan itself, where the goal can still be reached from it: a walk can leave the plan at every step, so beams do not
+//! run empty where the nearest states have nothing to do that looks like the plan's next action. What follows on a beam and a
+//! transition of the plan is worked out once, so plans that begin alike share their beams.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -23,6 +25,16 @@ struct Place {
     action: Action,
 }
 
+/// States that walks have come to, the nearest first.
+#[derive(Debug)]
+struct Beam {
+    /// The number of the beam before; the first is its own.
+    before: u32,
+    places: Box<[Place]>,
+    /// Which of them is the state of the plan.
+    of_plan: Option<u32>,
+}
+
 /// The beams of one observer and goal.
 #[derive(Debug)]
 pub(super) struct Walkers {
@@ -30,9 +42,9 @@ pub(super) struct Walkers {
     goal: usize,
     /// States of a beam, at most.
     width: usize,
-    /// Each with the one before; the first is its own.
-    beams: Vec<(u32, Box<[Place]>)>,
-    steps: FxHashMap<(u32, Symbol), u32>,
+    beams: Vec<Beam>,
+    /// By beam, symbol and next state of the plan.
+    steps: FxHashMap<(u32, Symbol, StateId), u32>,
     places: usize,
 }
 
@@ -44,21 +56,26 @@ impl Walkers {
         (observer, goal): (usize, usize),
         width: usize,
     ) -> Self {
-        let states = joint.believed_at_first(observer, goal);
+        let mut states = joint.believed_at_first(observer, goal);
+        let root = joint.initial().state;
+        if !states.contains(&root) {
+            states.push(root);
+        }
         let place = |state: StateId| Place {
             value: estimates.of_state(joint, state, goal),
             state,
             before: 0,
             action: Action::new(0),
         };
-        let first = nearest(states.into_iter().map(place).collect(), width);
-        let places = first.len();
-        Self { observer, goal, width, beams: vec![(0, first)], steps: FxHashMap::default(), places }
+        let places = states.into_iter().map(place).collect();
+        let first = Beam::nearest(0, places, width, root);
+        let places = first.places.len();
+        Self { observer, goal, width, beams: vec![first], steps: FxHashMap::default(), places }
     }
 
     /// Bytes in use, counted by contents.
     pub(super) fn bytes(&self) -> u64 {
-        let own = 24 * self.beams.len() + 24 * self.steps.len();
+        let own = 32 * self.beams.len() + 24 * self.steps.len();
         (own + size_of::<Place>() * self.places) as u64
     }
 
@@ -69,23 +86,31 @@ impl Walkers {
 
     /// How far the goal is from the nearest of the states that the observer holds possible at first.
     pub(super) fn distance(&self) -> u32 {
-        self.beams[0].1.first().map_or(UNREACHABLE, |place| place.value)
+        self.beams[0].places.first().map_or(UNREACHABLE, |place| place.value)
     }
 
-    /// The beam after a symbol.
+    /// The beam after a transition of the plan.
     fn follow(
         &mut self,
         joint: &mut JointSpace,
         estimates: &mut GoalEstimates,
         beam: u32,
-        symbol: Symbol,
+        edge: usize,
     ) -> u32 {
-        if let Some(&known) = self.steps.get(&(beam, symbol)) {
+        let symbol = joint.symbol(self.observer, edge);
+        let of_plan = joint.states().all_edges()[edge];
+        if let Some(&known) = self.steps.get(&(beam, symbol, of_plan.target)) {
             return known;
         }
         let mut met = FxHashSet::default();
         let mut found = Vec::new();
-        for (before, place) in (0..).zip(&self.beams[beam as usize].1) {
+        let at = &self.beams[beam as usize];
+        if let Some(before) = at.of_plan {
+            met.insert(of_plan.target);
+            let value = estimates.of_state(joint, of_plan.target, self.goal);
+            found.push(Place { value, state: of_plan.target, before, action: of_plan.action });
+        }
+        for (before, place) in (0..).zip(&at.places) {
             if found.len() >= MET_FOR_EACH_KEPT * self.width {
                 break;
             }
@@ -99,41 +124,51 @@ impl Walkers {
                 }
             }
         }
-        let next = nearest(found, self.width);
+        let next = Beam::nearest(beam, found, self.width, of_plan.target);
         let number = self.beams.len() as u32;
-        self.places += next.len();
-        self.beams.push((beam, next));
-        self.steps.insert((beam, symbol), number);
+        self.places += next.places.len();
+        self.beams.push(next);
+        self.steps.insert((beam, symbol, of_plan.target), number);
         number
     }
 
-    /// A walk that shows the observer these symbols and ends in the goal: the state it begins in, and its actions.
+    /// A walk that shows the observer the same as a plan with these transitions and ends in the goal: the state it begins in,
+    /// and its actions.
     pub(super) fn walk(
         &mut self,
         joint: &mut JointSpace,
         estimates: &mut GoalEstimates,
-        seen: &[Symbol],
+        plan: &[usize],
     ) -> Option<(StateId, Vec<Action>)> {
         let mut at = 0;
-        for &symbol in seen {
-            at = self.follow(joint, estimates, at, symbol);
+        for &edge in plan {
+            at = self.follow(joint, estimates, at, edge);
         }
-        let mut place = *self.beams[at as usize].1.first().filter(|place| place.value == 0)?;
-        let mut actions = Vec::with_capacity(seen.len());
+        let nearest = self.beams[at as usize].places.first();
+        let mut place = *nearest.filter(|place| place.value == 0)?;
+        let mut actions = Vec::with_capacity(plan.len());
         while at != 0 {
             actions.push(place.action);
-            at = self.beams[at as usize].0;
-            place = self.beams[at as usize].1[place.before as usize];
+            at = self.beams[at as usize].before;
+            place = self.beams[at as usize].places[place.before as usize];
         }
         actions.reverse();
         Some((place.state, actions))
     }
 }
 
-/// The nearest of some places from which the goal can be reached, nearest first.
-fn nearest(mut found: Vec<Place>, width: usize) -> Box<[Place]> {
-    found.retain(|place| place.value != UNREACHABLE);
-    found.sort_unstable();
-    found.truncate(width);
-    found.into_boxed_slice()
+impl Beam {
+    /// The nearest of some places from which the goal can be reached, and that of the plan.
+    fn nearest(before: u32, mut found: Vec<Place>, width: usize, of_plan: StateId) -> Self {
+        found.retain(|place| place.value != UNREACHABLE);
+        found.sort_unstable();
+        let is_of_plan = |place: &Place| place.state == of_plan;
+        let mut position = found.iter().position(is_of_plan);
+        if let Some(behind) = position.filter(|position| *position >= width) {
+            found.swap(width, behind);
+            position = Some(width);
+        }
+        found.truncate(width.max(position.map_or(0, |position| position + 1)));
+        Self { before, places: found.into_boxed_slice(), of_plan: position.map(|p| p as u32) }
+    }
 }
