@@ -17,10 +17,9 @@ pub(super) fn routes(
     true_goal: usize,
 ) -> impl Iterator<Item = Vec<usize>> + use<> {
     let direct = std::iter::once(vec![true_goal]);
-    let (first, rest) = others.split_at(others.len().min(FIRST_THROUGH_ONE));
-    let through_one =
-        move |goals: &[usize]| goals.to_vec().into_iter().map(move |goal| vec![goal, true_goal]);
-    let (first, rest, others) = (through_one(first), through_one(rest), others.to_vec());
+    let mut first: Vec<Vec<usize>> = others.iter().map(|goal| vec![*goal, true_goal]).collect();
+    let rest = first.split_off(others.len().min(FIRST_THROUGH_ONE));
+    let others = others.to_vec();
     let trips = (1..=others.len().min(LONGEST_TRIP)).map(move |size| {
         let there_and_back = others[..size].iter().flat_map(|goal| [*goal, true_goal]);
         std::iter::once(true_goal).chain(there_and_back).collect()

@@ -309,10 +309,10 @@ impl Invariants {
                 return Some(most);
             }
             // There are too many sums.
-            if std::mem::take(&mut redundant) {
-                if redundant_groups::leave_out(problem, &facts, &mut left_out).is_some() {
-                    continue;
-                }
+            if std::mem::take(&mut redundant)
+                && redundant_groups::leave_out(problem, &facts, &mut left_out).is_some()
+            {
+                continue;
             }
             // Without the facts that add to them in the most ways there are fewer.
             let choices = Self::most_choices(problem, &facts, &unchanging, &known);

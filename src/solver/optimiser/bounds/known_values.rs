@@ -45,8 +45,8 @@ fn next(effect: &Effect, group: usize, value: usize) -> Option<usize> {
         return None;
     }
     let changes = effect.changes.iter().filter(|change| change.group == group);
-    let applied = changes.filter(|change| change.from.is_none_or(|from| from == value));
-    Some(applied.last().map_or(value, |change| change.to))
+    let mut applied = changes.filter(|change| change.from.is_none_or(|from| from == value));
+    Some(applied.next_back().map_or(value, |change| change.to))
 }
 
 impl KnownValues {

@@ -37,8 +37,9 @@ impl Trial<'_> {
         }
         let before = left_out.to_vec();
         for group in groups {
-            let of_group = self.facts.task.layout().facts_of_group(*group);
-            of_group.iter().for_each(|fact| left_out[fact.index()] = true);
+            for fact in self.facts.task.layout().facts_of_group(*group) {
+                left_out[fact.index()] = true;
+            }
         }
         if self.informative(left_out) == self.all {
             return;
