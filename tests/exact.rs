@@ -82,7 +82,8 @@ pub fn bounds_hold(judge: &Judge, options: &Options, best: Option<i64>) {
                 assert!(bound >= best as f64 / most - 1e-9, "{name}: {bound} below {best}");
             }
             (UpperBound::Infeasible, best) => assert_eq!(best, None, "{name}"),
-            (UpperBound::AtMost(_), None) | (UpperBound::Unaffordable, _) => {}
+            // No plan keeps what is asked, or the bound is too dear.
+            _ => {}
         }
     }
 }

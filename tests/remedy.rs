@@ -82,6 +82,7 @@ fn expected(
             Change::Horizon => asked,
             Change::AtLeast => wish.k,
             Change::AtMost => wish.j,
+            other => panic!("{other:?}"),
         };
         (from.unwrap().abs_diff(value), change, std::cmp::Reverse(value))
     };
@@ -108,6 +109,7 @@ fn check_remedies(judge: &Judge, options: &Options, wish: &Wish, advice: &Advice
             Change::Horizon => options.horizon = Horizon::Steps(remedy.value),
             Change::AtLeast => wish.k = Some(remedy.value),
             Change::AtMost => wish.j = Some(remedy.value),
+            other => panic!("{other:?}"),
         }
         options.solver = Solver::Exact;
         options.bounds = wish.bounds();

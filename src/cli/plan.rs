@@ -80,8 +80,7 @@ fn answer(args: &PlanArgs, (report, code): &(PlanReport, u8)) -> Result<u8, CliE
 
 /// An answer without a plan and without a proof.
 fn stopped(limit: String, stats: PlanStats) -> (PlanReport, u8) {
-    let limit = Some(limit);
-    (PlanReport { status: Status::Limit.name(), plan: None, cost: None, limit, stats }, LIMIT)
+    (PlanReport::stopped(limit, stats), LIMIT)
 }
 
 type Answer = Result<(PlanReport, u8), SolveError>;

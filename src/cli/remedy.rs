@@ -41,7 +41,6 @@ pub fn text(problem: &Problem, options: &Options, advice: &Advice) -> String {
     let mut text = String::new();
     // Writing to a text cannot fail.
     let _ = match (advice.reason, options.horizon) {
-        (None, _) => writeln!(text, "why there is no plan was not found before the work stopped"),
         (Some(Reason::Unreachable), _) => writeln!(text, "the true goal {goal} cannot be reached"),
         (Some(Reason::Length), Horizon::Steps(steps)) if shortest < steps => writeln!(
             text,
@@ -56,12 +55,14 @@ pub fn text(problem: &Problem, options: &Options, advice: &Advice) -> String {
         (Some(Reason::Bounds), _) => {
             writeln!(text, "plans reach {goal}, but none keeps the bounds")
         }
+        _ => writeln!(text, "why there is no plan was not found before the work stopped"),
     };
     for remedy in &advice.remedies {
         let option = match remedy.change {
             Change::Horizon => "--horizon",
             Change::AtLeast => "--k",
             Change::AtMost => "--j",
+            other => other.name(),
         };
         let value = remedy.value;
         let difference = written(remedy.goal_difference, problem.goals().len());

@@ -61,7 +61,7 @@ pub fn run(args: &SolveArgs) -> Result<u8, CliError> {
     Ok(match outcome.status {
         Status::Optimal | Status::Solved | Status::Feasible => 0,
         Status::Infeasible => NO_PLAN,
-        Status::Limit => LIMIT,
+        _ => LIMIT,
     })
 }
 
@@ -220,12 +220,13 @@ fn meaning(options: &Options, outcome: &Outcome) -> String {
         _ if options.lengths.is_some() => {
             format!("of at most {} actions", options.lengths.unwrap_or_default())
         }
-        (Horizon::Any, _) | (Horizon::Auto, None) => "of any length".to_owned(),
-        (Horizon::Auto, Some(_)) if options.solver != Solver::Ip => "of any length".to_owned(),
-        (Horizon::Steps(_) | Horizon::Auto, Some(steps)) => {
+        (Horizon::Steps(_), Some(steps)) | (Horizon::Steps(steps), None) => {
             format!("of {steps} actions")
         }
-        (Horizon::Steps(steps), None) => format!("of {steps} actions"),
+        (Horizon::Auto, Some(steps)) if options.solver == Solver::Ip => {
+            format!("of {steps} actions")
+        }
+        _ => "of any length".to_owned(),
     } + &cost;
     match outcome.status {
         Status::Optimal => format!("no plan {length} has a greater goal difference"),
@@ -235,6 +236,6 @@ fn meaning(options: &Options, outcome: &Outcome) -> String {
             format!("there is no such plan {length} or at a shorter horizon tried")
         }
         Status::Infeasible => format!("there is no such plan {length}"),
-        Status::Limit => "no plan was found before the work stopped; there may be one".to_owned(),
+        _ => "no plan was found before the work stopped; there may be one".to_owned(),
     }
 }

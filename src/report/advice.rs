@@ -7,6 +7,7 @@ use crate::solver::remedy::{Advice, Change, Reason, Remedy};
 
 /// Why there is no plan, and which change of one option would allow one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct AdviceReport {
     /// `unreachable`, `length` or `bounds`; null where there is a plan, or it is not known.
     pub reason: Option<&'static str>,
@@ -20,6 +21,7 @@ pub struct AdviceReport {
 
 /// A change that allows a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct RemedyReport {
     /// `horizon`, `k` or `j`.
     pub change: &'static str,

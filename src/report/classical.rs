@@ -2,11 +2,12 @@
 
 use serde::Serialize;
 
-use crate::solver::ClassicalOutcome;
+use crate::solver::{ClassicalOutcome, Status};
 use crate::task::Task;
 
 /// What `plan --json` prints.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PlanReport {
     /// `solved`, `infeasible` or `limit`.
     pub status: &'static str,
@@ -43,6 +44,11 @@ pub struct PlanStats {
 }
 
 impl PlanReport {
+    /// The report on work that a limit ended before there was an outcome.
+    pub fn stopped(limit: String, stats: PlanStats) -> Self {
+        Self { status: Status::Limit.name(), plan: None, cost: None, limit: Some(limit), stats }
+    }
+
     /// The report on an outcome. The stats hold what the outcome does not know.
     pub fn new(task: &Task, outcome: &ClassicalOutcome, stats: PlanStats) -> Self {
         let plan = outcome.plan.as_ref();

@@ -10,6 +10,7 @@ use super::{Encoding, Solver};
 
 /// How sure an answer is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Status {
     /// A plan, proved best. A limit may have come before the rest of what was asked for.
     Optimal,

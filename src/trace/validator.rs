@@ -11,6 +11,7 @@ use crate::problem::{Problem, SurvivorCounts};
 
 /// What a plan achieves.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Achievement {
     /// The goals that survive for each observer at the end.
     pub survivors: Vec<GoalSet>,
@@ -30,6 +31,7 @@ impl Achievement {
 
 /// Why a plan is no solution.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum InvalidPlan {
     /// A step cannot be carried out.
     #[error(transparent)]

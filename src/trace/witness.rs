@@ -7,6 +7,7 @@ use crate::task::{Action, State};
 /// A walk to a goal from a state that an observer holds possible at first. The observer sees on it what it sees of the plan,
 /// so it can't rule the goal out.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Witness {
     /// The position of the observer.
     pub observer: usize,

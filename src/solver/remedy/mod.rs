@@ -18,6 +18,7 @@ use crate::plan::Plan;
 
 /// Why there is no plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Reason {
     /// No plan reaches the true goal.
     Unreachable,
@@ -40,6 +41,7 @@ impl Reason {
 
 /// The option to change. Of two changes by as much, the earlier one stands first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Change {
     /// Another number of actions.
     Horizon,

@@ -75,6 +75,7 @@ pub struct Imported {
 
 /// Why files cannot be imported.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum ImportError {
     /// Something in a file.
     #[error("{file}:{line}:{column}: found {found}, expected {expected}")]

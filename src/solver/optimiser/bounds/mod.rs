@@ -58,6 +58,7 @@ pub(super) trait Bound {
 
 /// What one of the bounds says of a problem, for [`upper_bounds`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum UpperBound {
     /// No plan has a greater goal difference.
     AtMost(f64),
