@@ -6,6 +6,7 @@
 mod common;
 
 mod beliefs;
+mod contradictions;
 mod corrections;
 mod cost_limit;
 mod documents;

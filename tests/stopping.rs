@@ -8,6 +8,7 @@ use mo_copp::solver::{Encoding, Horizon, Options, Outcome, Run, Solver, Status, 
 
 use crate::common::random::{self, MEDIUM, PAIR, SMALL};
 use crate::common::{Dice, Judge, Wish, oracle, solve};
+use crate::contradictions::contradictory;
 use crate::search::heeded;
 
 /// Advances by this budget to the end.
@@ -107,6 +108,8 @@ fn a_cancelled_run_keeps_the_best_plan() {
         }
         let progress = run.progress();
         let outcome = run.outcome().unwrap();
+        // Known before any work.
+        finished |= contradictory(&judge.table, &wish);
         if finished {
             seen[0] += 1;
             assert_same(outcome.clone(), &whole);
@@ -307,6 +310,9 @@ fn the_integer_program_raises_the_horizon_until_there_is_a_plan() {
                 assert_eq!(oracle::difference(&judge.table, &ending), best);
                 raised += usize::from(horizon > shortest);
             }
+            _ if contradictory(&judge.table, &wish) => {
+                assert_eq!(outcome.status, Status::Infeasible);
+            }
             // The true goal is out of reach: proved. (The longest shortest path has 3 steps.)
             (_, None) => assert_eq!(outcome.status, Status::Infeasible),
             // It is not, but no plan up to the last horizon keeps the bounds: nothing is proved of
@@ -362,6 +368,9 @@ fn a_horizon_is_raised_by_steps() {
                     assert_eq!(oracle::difference(&judge.table, &ending), best);
                 }
                 raised += usize::from(horizon > from);
+            }
+            None if contradictory(&judge.table, &wish) => {
+                assert_eq!(outcome.status, Status::Infeasible);
             }
             None => {
                 assert_eq!((outcome.status, &outcome.plan), (Status::Limit, &None));

@@ -27,6 +27,7 @@ mod engine;
 mod error;
 mod explorer;
 mod ground;
+mod implications;
 #[cfg(feature = "full")]
 mod ip;
 mod optimiser;

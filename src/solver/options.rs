@@ -1,12 +1,10 @@
 //! What is asked of a solver.
 
-use std::collections::BTreeSet;
-
 use thiserror::Error;
 
 use crate::goal_difference::GoalSet;
 use crate::limits::Limits;
-use crate::problem::{Problem, Role, SurvivorCounts};
+use crate::problem::{Problem, SurvivorCounts};
 
 /// The longest horizon that can be asked for.
 pub const MAX_HORIZON: usize = crate::plan::MAX_LENGTH;
@@ -19,7 +17,7 @@ pub const MAX_LENGTHS: usize = 1000;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Solver {
-    /// Exhaustive search over the states and the observers' beliefs.
+    /// Best first over the states and the observers' beliefs, under upper bounds on all plans.
     Exact,
     /// Integer programming.
     Ip,
@@ -98,6 +96,7 @@ impl Encoding {
 
 /// How long plans may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Horizon {
     /// What suits the solver: for the integer program the length of a shortest plan, raised until
     /// there is a plan that keeps the bounds; for all others any length.
@@ -139,29 +138,6 @@ impl Bounds {
             && self.at_most.is_none_or(|j| counts.cooperative <= j)
             && self.required.iter().all(|w| sets[w.observer].contains(w.goal))
             && self.forbidden.iter().all(|w| !sets[w.observer].contains(w.goal))
-    }
-
-    /// A difference `|G_X| − |G_C|` that no plan with these bounds can beat: every goal is left to
-    /// the enemy except those forbidden, to the friend the true one and those required.
-    pub(crate) fn most_difference(&self, problem: &Problem) -> i64 {
-        let named = |list: &[Watched], observer: usize, more: Option<usize>| {
-            let here = list.iter().filter(|watched| watched.observer == observer);
-            here.map(|watched| watched.goal).chain(more).collect::<BTreeSet<usize>>().len()
-        };
-        let (mut left_to_enemy, mut left_to_friend) = (problem.goals().len(), 0);
-        for (number, observer) in problem.observers().iter().enumerate() {
-            match observer.role {
-                Role::Adversarial => {
-                    let most = problem.goals().len() - named(&self.forbidden, number, None);
-                    left_to_enemy = left_to_enemy.min(most);
-                }
-                Role::Cooperative => {
-                    let least = named(&self.required, number, Some(problem.true_goal()));
-                    left_to_friend = left_to_friend.max(least);
-                }
-            }
-        }
-        left_to_enemy as i64 - left_to_friend as i64
     }
 }
 

@@ -12,7 +12,7 @@ use super::engine::{Advance, Engine, Finding};
 use super::error::SolveError;
 use super::ground::shortest_length::{Reached, Shortest};
 use super::optimiser::Optimiser;
-use super::outcome::{Outcome, Progress, Stats, Status};
+use super::outcome::{LengthPoint, Outcome, Progress, Stats, Status};
 use super::{Horizon, Options, Solver};
 #[cfg(feature = "full")]
 use super::{
@@ -91,19 +91,27 @@ impl Run {
             earlier: Stats::default(),
             last_stats: Stats::default(),
         };
-        match run.options.horizon {
-            Horizon::Steps(steps) => run.horizon = Some(steps),
-            Horizon::Auto if run.options.solver == Solver::Ip => {
-                match shortest_plan_length(&run.problem, &run.options) {
-                    Ok(Some(steps)) => run.horizon = Some(steps),
-                    Ok(None) => run.finding = Some(Finding::infeasible()),
-                    Err(limit) => run.finding = Some(Finding::stopped(None, limit)),
-                }
-                run.options.horizon_step = run.options.horizon_step.max(1);
+        if let Horizon::Steps(steps) = run.options.horizon {
+            run.horizon = Some(steps);
+        }
+        if run.options.heeded_bounds().most_difference(&run.problem).is_none() {
+            run.finding = Some(run.nothing());
+        } else if run.options.horizon == Horizon::Auto && run.options.solver == Solver::Ip {
+            match shortest_plan_length(&run.problem, &run.options) {
+                Ok(Some(steps)) => run.horizon = Some(steps),
+                Ok(None) => run.finding = Some(Finding::infeasible()),
+                Err(limit) => run.finding = Some(Finding::stopped(None, limit)),
             }
-            Horizon::Auto | Horizon::Any => {}
+            run.options.horizon_step = run.options.horizon_step.max(1);
         }
         Ok(run)
+    }
+
+    /// The answer where the bounds contradict each other: there is no plan of any length.
+    fn nothing(&self) -> Finding {
+        let none = |length| LengthPoint { length, best: None };
+        let lengths = self.options.lengths.map(|longest| (0..=longest).map(none).collect());
+        Finding { lengths, ..Finding::infeasible() }
     }
 
     /// The problem.

@@ -13,6 +13,7 @@ type Arrows = (&'static str, &'static [&'static str]);
 const CONTRACTS: &[Arrows] = &[
     ("options", &[]),
     ("setters", &["options"]),
+    ("implications", &["options"]),
     ("outcome", &["options"]),
     ("engine", &["outcome"]),
     ("error", &["options"]),
@@ -38,7 +39,10 @@ const COMPOSITIONS: &[Arrows] = &[
         "portfolio",
         &["algorithm1", "engine", "explorer", "optimiser", "options", "outcome", "parallel_walks"],
     ),
-    ("remedy", &["engine", "error", "explorer", "ground", "optimiser", "options", "outcome"]),
+    (
+        "remedy",
+        &["baseline", "engine", "error", "explorer", "ground", "optimiser", "options", "outcome"],
+    ),
 ];
 
 const DISPATCH: &[Arrows] = &[

@@ -86,7 +86,7 @@ impl CostBounded {
         let bounds = options.heeded_bounds();
         let joint = JointSpace::listing(problem, options.limits);
         Self {
-            most: bounds.most_difference(joint.problem()),
+            most: bounds.most_difference(joint.problem()).unwrap_or_default(),
             ends: Ends::new(bounds),
             joint,
             lengths,

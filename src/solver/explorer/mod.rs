@@ -87,7 +87,7 @@ impl Explorer {
         };
         Self {
             layers: Layers::new(&mut joint, membership),
-            most: bounds.most_difference(joint.problem()),
+            most: bounds.most_difference(joint.problem()).unwrap_or_default(),
             ends: Ends::new(bounds.clone()),
             joint,
             bounds,

@@ -106,7 +106,7 @@ impl Optimiser {
         options: &Options,
         horizon: Option<usize>,
     ) -> Self {
-        let bound = Some(options.heeded_bounds().most_difference(&problem));
+        let bound = options.heeded_bounds().most_difference(&problem);
         Self {
             problem,
             options: options.clone(),
@@ -269,6 +269,9 @@ impl Optimiser {
 
 impl Engine for Optimiser {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
+        if self.bound.is_none() {
+            return Ok(Advance::Finished(self.finding()));
+        }
         let mut work = match self.work.take() {
             Some(work) => work,
             None => self.begin()?,

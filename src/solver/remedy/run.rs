@@ -11,12 +11,13 @@ use super::{Advice, Change, Reason, Remedy};
 use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem};
+use crate::solver::baseline;
 use crate::solver::engine::{Advance, Engine};
 use crate::solver::explorer::neighbourhood::Neighbourhood;
 use crate::solver::ground::dead_ends::StatesBySteps;
 use crate::solver::ground::shortest_length::{Reached, Shortest};
 use crate::solver::outcome::Progress;
-use crate::solver::{Horizon, Options, OptionsError, SolveError, Solver};
+use crate::solver::{Bounds, Horizon, Options, OptionsError, SolveError, Solver};
 use crate::trace::validate;
 
 /// Expansions after which the search gives up, where the options allow no fewer.
@@ -31,6 +32,10 @@ const EXPLORED: Limits = Limits {
     nonzeros: u64::MAX,
     listed: usize::MAX,
 };
+
+/// Expansions of greedy search for any plan, after a proof that none keeps the bounds. Where the state space is too large to
+/// find a shortest plan in, it tells the reason.
+const REACH_EXPANSIONS: u64 = 2_000;
 
 /// Looks for remedies, in slices.
 ///
@@ -72,6 +77,8 @@ pub struct RemedyRun {
 type Question = Option<(Change, usize)>;
 
 enum Stage {
+    /// Can the true goal be reached at all? Asked after a proof, where nothing but the bounds is to blame then.
+    Reach(Box<dyn Engine>),
     /// How far is the true goal?
     Shortest(Box<Shortest>),
     /// Everything at once, as far as [`EXPLORED`] goes.
@@ -123,7 +130,7 @@ impl RemedyRun {
             Horizon::Steps(steps) => Some(steps),
             Horizon::Auto | Horizon::Any => None,
         };
-        Ok(Self {
+        let mut run = Self {
             stage: Stage::Shortest(Box::new(Shortest::new(problem.task(), options.limits))),
             problem,
             options,
@@ -136,7 +143,22 @@ impl RemedyRun {
             shortest: None,
             found: Vec::new(),
             complete: false,
-        })
+        };
+        run.proved = run.contradicts(&run.options.bounds);
+        if run.proved {
+            run.reach();
+        }
+        Ok(run)
+    }
+
+    /// Begins with the question whether the goal can be reached, where the answer tells the reason.
+    fn reach(&mut self) {
+        if self.asked.is_none() {
+            let mut limits = self.options.limits;
+            limits.expansions = limits.expansions.min(REACH_EXPANSIONS);
+            let engine = baseline::engine(self.problem.task(), limits, None, None);
+            self.stage = Stage::Reach(Box::new(engine));
+        }
     }
 
     /// The same after a run that proved that there is no plan ([`Status::Infeasible`]): whether there
@@ -148,7 +170,9 @@ impl RemedyRun {
     ///
     /// [`SolveError::Options`].
     pub fn after_proof(problem: Arc<Problem>, options: Options) -> Result<Self, SolveError> {
-        Ok(Self { proved: true, ..Self::new(problem, options)? })
+        let mut run = Self { proved: true, ..Self::new(problem, options)? };
+        run.reach();
+        Ok(run)
     }
 
     /// The problem.
@@ -170,6 +194,25 @@ impl RemedyRun {
 
     fn work(&mut self, budget: u64) -> Result<(), LimitReached> {
         match &mut self.stage {
+            Stage::Reach(engine) => {
+                let answer = engine.advance(budget);
+                if matches!(answer, Ok(Advance::Working)) {
+                    return Ok(());
+                }
+                self.expansions += engine.stats().expansions;
+                match answer {
+                    Ok(Advance::Finished(finding)) if finding.plan.is_none() => {
+                        self.reason = Some(Reason::Unreachable);
+                        self.finish(true);
+                        return Ok(());
+                    }
+                    Ok(_) => self.reason = Some(Reason::Bounds),
+                    // It may be out of reach, or not.
+                    Err(_) => {}
+                }
+                let shortest = Shortest::new(self.problem.task(), self.options.limits);
+                self.stage = Stage::Shortest(Box::new(shortest));
+            }
             Stage::Shortest(shortest) => {
                 let left = self.options.limits.expansions - self.expansions;
                 let mut rest = budget.min(left);
@@ -228,6 +271,11 @@ impl RemedyRun {
         Ok(())
     }
 
+    /// Whether no plan keeps the bounds, whatever its length.
+    fn contradicts(&self, bounds: &Bounds) -> bool {
+        bounds.most_difference(&self.problem).is_none()
+    }
+
     /// What to look at once it is known how far the goal is.
     fn after_shortest(&mut self, shortest: usize) -> Result<Stage, LimitReached> {
         if self.proved && self.asked.is_none() {
@@ -241,6 +289,12 @@ impl RemedyRun {
             } else if self.proved {
                 self.reason = Some(Reason::Bounds);
             }
+        }
+        let named = Bounds { at_least: None, at_most: None, ..self.options.bounds.clone() };
+        if self.contradicts(&named) {
+            // Neither another k or j nor another length helps.
+            self.complete = true;
+            return Ok(Stage::Done);
         }
         let problem = Arc::clone(&self.problem);
         let exploration = Neighbourhood::new(problem, &self.options, self.asked);
@@ -263,7 +317,7 @@ impl RemedyRun {
 
     fn done(&self) -> u64 {
         let stage = match &self.stage {
-            Stage::Question(_, engine) => engine.stats().expansions,
+            Stage::Reach(engine) | Stage::Question(_, engine) => engine.stats().expansions,
             Stage::NextHorizons(horizons) => horizons.expansions(),
             Stage::Explore(exploration) | Stage::ExploreOn(exploration) => exploration.expansions(),
             Stage::Shortest(_) | Stage::Done => 0,

@@ -15,6 +15,7 @@ impl Bound for Trivial {
     }
 
     fn most(&mut self, space: &mut Space) -> Result<Most, LimitReached> {
-        Ok(Most::Value(space.bounds.most_difference(space.problem())))
+        let most = space.bounds.most_difference(space.problem());
+        Ok(most.map_or(Most::Infeasible, Most::Value))
     }
 }

@@ -61,16 +61,19 @@ impl RemedyRun {
             self.parked = Some(exploration);
         }
         match self.reason {
-            Some(Reason::Length) => self.stage = self.next_horizons(),
+            Some(Reason::Length) => {
+                let next = self.next_horizons();
+                self.go_on(next);
+            }
             Some(_) => self.answer(None, None),
             None => self.stage = self.ask(None),
         }
     }
 
-    /// The horizons that come after the bounds; the end where none was asked for.
+    /// The horizons that come after the bounds; the end where none was asked for or none helps.
     fn next_horizons(&self) -> Stage {
         match (self.asked, self.shortest) {
-            (Some(asked), Some(shortest)) => {
+            (Some(asked), Some(shortest)) if !self.contradicts(&self.options.bounds) => {
                 let problem = Arc::clone(&self.problem);
                 let horizons = NextHorizons::new(problem, self.rest(), asked, shortest);
                 Stage::NextHorizons(Box::new(horizons))
@@ -143,6 +146,10 @@ impl RemedyRun {
         } else {
             self.next_horizons()
         };
+        self.go_on(next);
+    }
+
+    fn go_on(&mut self, next: Stage) {
         if matches!(next, Stage::Done) {
             self.finish(true);
         } else {
