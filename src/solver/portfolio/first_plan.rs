@@ -30,8 +30,6 @@ const LONGER: [(u64, u64); 2] = [(100_000, 8), (2_000_000, 80)];
 pub(super) struct FirstPlan {
     problem: Arc<Problem>,
     options: Options,
-    /// Whether walks can look for what is asked.
-    suits_walks: bool,
     /// None where it has come to its end. Where there are walks it ends with the first belief that outgrows its list.
     greedy: Option<Box<dyn Engine>>,
     walks: Option<Box<ParallelWalks>>,
@@ -97,7 +95,6 @@ impl FirstPlan {
         Self {
             problem,
             options,
-            suits_walks,
             greedy: Some(Box::new(greedy)),
             walks: None,
             walks_over: false,
@@ -124,10 +121,12 @@ impl FirstPlan {
         }
     }
 
-    /// Algorithm 1, where it can go on; its work does not count here any more then. Where there are walks it would end with a
-    /// belief that outgrows its list.
-    pub(super) fn take_greedy(&mut self) -> Option<Box<dyn Engine>> {
-        self.greedy.take_if(|_| !self.suits_walks)
+    /// Leaves Algorithm 1 for good in its turn.
+    pub(super) fn leave_greedy(&mut self) {
+        if let (Some(Turn::Greedy { .. }), Some(greedy)) = (self.turns.last(), self.greedy.take()) {
+            self.earlier.add_engine(&greedy.stats());
+            self.turns.pop();
+        }
     }
 
     fn advance_greedy(

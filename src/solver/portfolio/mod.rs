@@ -5,7 +5,8 @@
 //! its list. After that [parallel walks](super::parallel_walks) look for a plan without working beliefs of enemies out
 //! ([`first_plan`]). Then the [optimiser](super::optimiser) takes its turn, which ends with the first plan that keeps the
 //! bounds or with the proof that there is none; where it goes long without either, the others have another and longer
-//! round ([`best_plan`]). Where it meets a limit, Algorithm 1 goes on alone.
+//! round ([`best_plan`]). Where it meets a limit and gives its memory back, Algorithm 1 begins
+//! again with all of it.
 //!
 //! For the best plan the optimiser begins, and goes on from the first plan that the others give it.
 //!
@@ -50,9 +51,8 @@ pub(super) struct Portfolio {
 enum Stage {
     /// Until the optimiser takes them over or they are left.
     First(Option<Box<FirstPlan>>),
-    /// The optimiser, and Algorithm 1 where it can go on.
-    Optimiser(Box<dyn Engine>, Option<Box<dyn Engine>>),
-    /// Algorithm 1 without an end.
+    Optimiser(Box<dyn Engine>),
+    /// Algorithm 1 without an end, from the beginning: with all of the memory.
     GreedyAlone(Box<dyn Engine>),
 }
 
@@ -81,34 +81,29 @@ impl Portfolio {
         let options = left(&self.options, &self.stats());
         let problem = Arc::clone(&self.problem);
         let Stage::First(first) = &mut self.stage else { return };
-        let Some(mut first) = first.take() else { return };
-        let kept = first.take_greedy();
+        let Some(first) = first.take() else { return };
         let engine: Box<dyn Engine> = if options.cost_limit.is_some() {
             let lengths = self.horizon.map_or(Lengths::Any, Lengths::Exactly);
             Box::new(CostBounded::new(problem, &options, lengths))
         } else if first.has_another_round() {
-            self.stage =
-                Stage::Optimiser(Box::new(BestPlan::after(first, problem, &options)), None);
+            self.stage = Stage::Optimiser(Box::new(BestPlan::after(first, problem, &options)));
             return;
         } else {
             Box::new(Optimiser::new(problem, &options, self.horizon))
         };
         self.leave(first.as_ref());
-        self.stage = Stage::Optimiser(engine, kept);
+        self.stage = Stage::Optimiser(engine);
     }
 
     /// The optimiser has met a limit: short of memory, Algorithm 1 may need less.
     fn after_optimiser(&mut self) {
-        let (problem, horizon) = (Arc::clone(&self.problem), self.horizon);
-        let fresh = Box::new(algorithm1::engine(problem, &self.alone, horizon, false));
-        let next = Stage::GreedyAlone(fresh);
-        let Stage::Optimiser(engine, greedy) = std::mem::replace(&mut self.stage, next) else {
-            return;
-        };
-        self.leave(engine.as_ref());
-        if let Some(greedy) = greedy {
-            self.stage = Stage::GreedyAlone(greedy);
+        let stage = std::mem::replace(&mut self.stage, Stage::First(None));
+        if let Stage::Optimiser(engine) = stage {
+            self.leave(engine.as_ref());
         }
+        let (problem, alone) = (Arc::clone(&self.problem), left(&self.alone, &self.stats()));
+        let greedy = algorithm1::engine(problem, &alone, self.horizon, false);
+        self.stage = Stage::GreedyAlone(Box::new(greedy));
     }
 
     fn leave(&mut self, engine: &dyn Engine) {
@@ -134,21 +129,31 @@ fn solved(plan: Plan, witnesses: Vec<Witness>) -> Advance {
 
 impl Engine for Portfolio {
     fn advance(&mut self, budget: u64) -> Result<Advance, LimitReached> {
+        // By the number that was asked for, of all engines together.
+        let limit = self.alone.limits.expansions;
         match &mut self.stage {
-            Stage::GreedyAlone(greedy) => return greedy.advance(budget),
-            Stage::First(Some(first)) if !first.is_over() => return first.advance(budget),
+            Stage::GreedyAlone(greedy) => {
+                return greedy.advance(budget).map_err(|met| match met {
+                    LimitReached::Expansions { .. } => LimitReached::Expansions { limit },
+                    met => met,
+                });
+            }
+            Stage::First(Some(first)) if !first.is_over() => match first.advance(budget) {
+                // Its share was too little; the optimiser has all of the memory.
+                Err(LimitReached::Memory { .. }) => first.leave_greedy(),
+                answer => return answer,
+            },
             Stage::First(_) => self.after_first(),
-            Stage::Optimiser(engine, _) => {
+            Stage::Optimiser(engine) => {
                 let mut progress = Progress::new(self.options.solver, self.horizon);
                 for _ in 0..budget {
                     match first_plan(engine.as_mut(), &mut progress) {
                         Ok(Advance::Working) => {}
                         Ok(answer) => return Ok(answer),
+                        Err(_) if self.stats().expansions >= limit => {
+                            return Err(LimitReached::Expansions { limit });
+                        }
                         Err(_) => {
-                            let limit = self.alone.limits.expansions;
-                            if self.stats().expansions >= limit {
-                                return Err(LimitReached::Expansions { limit });
-                            }
                             self.after_optimiser();
                             break;
                         }
@@ -163,7 +168,7 @@ impl Engine for Portfolio {
         match &mut self.stage {
             Stage::First(Some(first)) => first.stop(limit),
             Stage::GreedyAlone(engine) => engine.stop(limit),
-            Stage::First(None) | Stage::Optimiser(..) => Finding::stopped(None, limit),
+            Stage::First(None) | Stage::Optimiser(_) => Finding::stopped(None, limit),
         }
     }
 
@@ -171,7 +176,7 @@ impl Engine for Portfolio {
         match &self.stage {
             Stage::First(Some(first)) => first.report(progress),
             Stage::GreedyAlone(engine) => engine.report(progress),
-            Stage::First(None) | Stage::Optimiser(..) => {}
+            Stage::First(None) | Stage::Optimiser(_) => {}
         }
     }
 
@@ -180,12 +185,8 @@ impl Engine for Portfolio {
         match &self.stage {
             Stage::First(Some(first)) => stats.add_engine(&first.stats()),
             Stage::First(None) => {}
-            Stage::GreedyAlone(engine) => stats.add_engine(&engine.stats()),
-            Stage::Optimiser(engine, greedy) => {
+            Stage::Optimiser(engine) | Stage::GreedyAlone(engine) => {
                 stats.add_engine(&engine.stats());
-                if let Some(greedy) = greedy {
-                    stats.add_engine(&greedy.stats());
-                }
             }
         }
         stats

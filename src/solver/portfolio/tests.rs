@@ -105,6 +105,68 @@ fn after_a_limit_of_the_optimiser_algorithm_1_goes_on() {
     assert!(alone > 50, "{alone}");
 }
 
+/// Of a run with so little memory that every part of the portfolio meets a limit: the limit, and whether Algorithm 1 went on.
+fn limited(judge: &Judge, options: &Options, nodes: u64) -> Option<(LimitReached, bool)> {
+    let problem = Arc::clone(&judge.problem);
+    let mut portfolio = Portfolio::with_greedy_nodes(nodes, problem, options, None);
+    loop {
+        match portfolio.advance(1) {
+            Ok(Advance::Working) => {}
+            Ok(Advance::Finished(_)) => return None,
+            Err(limit) => return Some((limit, matches!(portfolio.stage, Stage::GreedyAlone(_)))),
+        }
+    }
+}
+
+/// `mib` MiB are named, whatever share the parts of the portfolio had.
+#[test]
+fn the_limit_said_is_the_one_given() {
+    let document = crate::domain::generate::Domain::Logistics.draw(1).unwrap().document;
+    let problem = Arc::new(document.problem().unwrap());
+    for (mib, nodes) in [(3, u64::MAX), (3, 10), (2, 0)] {
+        let mut options = Options::new(Solver::Satisficing);
+        (options.bounds.at_least, options.bounds.at_most) = (Some(5), Some(1));
+        options.limits = options.limits.with_bytes(mib << 20);
+        let mut portfolio =
+            Portfolio::with_greedy_nodes(nodes, Arc::clone(&problem), &options, None);
+        let limit = loop {
+            if let Err(limit) = portfolio.advance(1) {
+                break limit;
+            }
+        };
+        assert_eq!(limit, LimitReached::Memory { limit_mib: mib });
+        assert!(matches!(portfolio.stage, Stage::GreedyAlone(_)));
+    }
+}
+
+/// What a single part could do with all of the memory is done.
+#[test]
+fn algorithm_1_has_all_of_the_memory_that_the_optimiser_gave_back() {
+    let mut dice = Dice::new(86);
+    let (mut alone, mut stopped) = (0, 0);
+    for _ in 0..1_500 {
+        let judge = Judge::built(random::table(&mut dice, MEDIUM, &PAIR), 0);
+        let wish = random::wish(&mut dice, &judge.table);
+        let mut options = Judge::options(Solver::Satisficing, None, &wish);
+        options.limits.bytes = dice.pick(&[100, 1_000, 2_000, 4_000, 8_000]);
+        let mut greedy = algorithm1::engine(Arc::clone(&judge.problem), &options, None, false);
+        let enough = loop {
+            match greedy.advance(1) {
+                Ok(Advance::Working) => {}
+                answer => break answer.is_ok(),
+            }
+        };
+        match limited(&judge, &options, dice.pick(&[0, 3, u64::MAX])) {
+            Some((limit, last)) => {
+                assert!(!enough && last, "{limit}");
+                stopped += 1;
+            }
+            None => alone += usize::from(enough),
+        }
+    }
+    assert!(alone > 100 && stopped > 100, "{alone} {stopped}");
+}
+
 /// Runs exact search with a first plan from elsewhere to its end: the finding, or what it is stopped with at a limit.
 fn best(mut engine: BestPlan, budget: u64) -> (Finding, bool) {
     let mut learned = false;
