@@ -4,7 +4,7 @@ use super::bounds::pairs::Pairs;
 use super::schedule::{Question, Stage};
 use super::search::{Order, Search, Step, Way};
 use super::space::Actor;
-use super::thresholds::{EXPANSIONS_WITH_SAMPLES, WORK_TO_SHORTEN};
+use super::thresholds::{EXPANSIONS_TO_SHORTEN, EXPANSIONS_WITH_SAMPLES, WORK_TO_SHORTEN};
 use super::{Optimiser, Work, sampling};
 use crate::limits::LimitReached;
 
@@ -210,6 +210,7 @@ impl Optimiser {
             let better = self.make_pairs(work)? || work.estimates.list(&mut work.space)?;
             return Ok(better && self.shorten(work));
         }
-        Ok(expansions + work.space.touched - work.begun.1 > WORK_TO_SHORTEN)
+        Ok(expansions > EXPANSIONS_TO_SHORTEN
+            || work.space.touched - work.begun.1 > WORK_TO_SHORTEN)
     }
 }

@@ -33,9 +33,11 @@ pub(super) const WORDS_OF_A_LEVEL: u64 = 6_000_000;
 pub(super) const STATES_OF_DISTANCES: usize = 300_000;
 /// Expansions of the search for a shortest plan before tables of pairs are made for it.
 pub(super) const EXPANSIONS_BEFORE_PAIRS_SHORTEN: u64 = 256;
-/// Believed states gone through and nodes expanded in the search for a shortest plan, at most: about
-/// a tenth of a second. Above, the length of the plan stays unproved, and the outcome says so.
-pub(super) const WORK_TO_SHORTEN: u64 = 400_000;
+/// Expansions of the search for a shortest plan, at most: some tenths of a second on floors, a second in Logistics. Above, the
+/// length of the plan stays unproved, and the outcome says so.
+pub(super) const EXPANSIONS_TO_SHORTEN: u64 = 40_000;
+/// Believed states gone through in it, at most: about a second where each update is new. On floors nearly all are known.
+pub(super) const WORK_TO_SHORTEN: u64 = 100_000_000;
 
 /// States of a sample of an enemy's belief, spread over it evenly, and beside them those nearest to each goal.
 pub(super) const STATES_OF_A_SAMPLE: usize = 48;
