@@ -180,8 +180,8 @@ pub struct BoundsArgs {
 Solvers:
   exact        the best goal difference of all plans (of T actions with --horizon T), proved
   ip           the same for T actions, by integer programming
-  satisficing  a plan that keeps the bounds --k and --j, or the proof that there is none: Algorithm 1
-               for 2,000 nodes, then exact search
+  satisficing  a plan that keeps the bounds --k and --j, or the proof that there is none:
+               Algorithm 1 for 2,000 nodes, then exact search
   search       the same by Algorithm 1 of the paper alone
   baseline     a plan for the true goal alone
   obfuscate    Algorithm 1 with --k alone

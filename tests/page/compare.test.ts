@@ -15,7 +15,7 @@ import { holdCore, withKnownWorkers } from "./support/workers.js";
 const solvers: [title: string, options: SolveOptions][] = [
   ["Exact search", { solver: "exact" }],
   ["Integer program, belief flow", { solver: "ip", encoding: "belief-flow" }],
-  ["Satisficing search", { solver: "satisficing" as SolveOptions["solver"] }],
+  ["Satisficing search", { solver: "satisficing" }],
   ["Heuristic search", { solver: "search" }],
   ["Baseline", { solver: "baseline" }],
   ["Obfuscate only", { solver: "obfuscate" }],

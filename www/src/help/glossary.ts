@@ -138,8 +138,8 @@ export const glossary = (see: See): Definition[] => [
   },
   {
     ...{ term: "exact", name: "Exact search" },
-    meaning: html`Looks at every combination of where the agent is and what both believe. It finds the largest goal
-      difference there is, for one length or for all, and proves it.`,
+    meaning: html`Follows where the agent can be with what both believe, the most promising first, and stops where no
+      plan can be better. It finds the largest goal difference there is, for one length or for all, and proves it.`,
   },
   {
     ...{ term: "integer-program", name: "Integer program", source: "Section 3, “MO-COPP as Integer Program”." },

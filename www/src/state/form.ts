@@ -1,7 +1,7 @@
 // What the person has chosen in the form, as typed, and what of it goes to the core.
 import type { SolveOptions } from "../core.js";
 
-export type Solver = SolveOptions["solver"] | "satisficing";
+export type Solver = SolveOptions["solver"];
 type Field = "encoding" | "k" | "j" | "horizon" | "horizonStep";
 
 export interface Form {
@@ -22,7 +22,8 @@ export const emptyForm: Form = {
 export const solvers: Record<Solver, { title: string; about: string; fields: readonly Field[] }> = {
   exact: {
     title: "Exact search",
-    about: "Looks at every position and both beliefs: finds the largest goal difference there is, and proves it.",
+    about:
+      "Follows positions with both beliefs, the best first: finds the largest goal difference there is, and proves it.",
     fields: ["k", "j", "horizon"],
   },
   ip: {
@@ -32,7 +33,8 @@ export const solvers: Record<Solver, { title: string; about: string; fields: rea
   },
   satisficing: {
     title: "Satisficing search",
-    about: "Takes the first plan that keeps to both bounds, or proves that there is none: the one to use with bounds.",
+    about:
+      "Takes the first plan that keeps to both bounds, or proves that there is none: for bounds where exact search takes long.",
     fields: ["k", "j", "horizon"],
   },
   search: {
@@ -64,7 +66,7 @@ export const reads = (form: Form, field: Field): boolean => solvers[form.solver]
 
 /** The options for the core, or a sentence that says which field can't be read. */
 export function optionsOf(form: Form): SolveOptions | string {
-  const options: SolveOptions = { solver: form.solver as SolveOptions["solver"] };
+  const options: SolveOptions = { solver: form.solver };
   if (reads(form, "encoding")) options.encoding = form.encoding;
   for (const field of ["k", "j", "horizon", "horizonStep"] as const) {
     const text = form[field].trim();

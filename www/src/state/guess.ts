@@ -1,6 +1,6 @@
 // You are the enemy: a plan for a goal that you do not know, seen through the enemy's symbols alone, and a guess.
 import { batch, computed, type ReadonlySignal, signal } from "@preact/signals-core";
-import type { BeliefSummary, Scene, SolveOptions, Trace, TraceStep } from "../core.js";
+import type { BeliefSummary, Scene, Trace, TraceStep } from "../core.js";
 import { written } from "../problem/text.js";
 import type { Ending } from "../worker/client.js";
 import { runWithin } from "../worker/patience.js";
@@ -77,8 +77,7 @@ export class Guess {
   }
 
   private patiently(document: string, solver: Solver): Promise<Ending> {
-    const options = { solver: solver as SolveOptions["solver"] };
-    return runWithin(this.hider, { kind: "solve", document, options }, { milliseconds: PATIENCE_MS });
+    return runWithin(this.hider, { kind: "solve", document, options: { solver } }, { milliseconds: PATIENCE_MS });
   }
 
   /** Says which goal the agent is after. */
