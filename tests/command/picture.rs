@@ -19,6 +19,7 @@ fn a_file_is_what_its_name_says() {
         (ran.code, ran.err, fs::read_to_string(path).ok())
     };
     let printed = mo_copp(&corridor(), &["picture", "-"]).out;
+    assert_eq!(mo_copp(&corridor(), &["picture", "-", "-o", "-"]).out, printed);
     for name in ["picture.svg", "picture.SVG", "picture-without-end", ".picture"] {
         let (code, err, text) = drawn(name);
         assert_eq!((code, err.as_str(), text.as_deref()), (0, "", Some(&*printed)), "{name}");

@@ -48,7 +48,7 @@ pub struct PictureArgs {
     /// The pixels of a PNG for each unit of the picture, from 0.5 to 8 [default: 2].
     #[arg(long, value_parser = scale, value_name = "N")]
     pub scale: Option<f64>,
-    /// The file to write, an SVG or by the end .png of its name a PNG; left out: SVG on the standard output.
+    /// The file to write, an SVG or by the end .png of its name a PNG; left out, or -: SVG on the standard output.
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }

@@ -15,7 +15,8 @@ use file::Format;
 
 /// Draws and writes; the exit code.
 pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
-    let format = Format::new(args.out.as_deref(), args.animate)?;
+    let out = args.out.as_deref().filter(|out| out.as_os_str() != "-");
+    let format = Format::new(out, args.animate)?;
     if let (Format::Svg, Some(scale)) = (format, args.scale) {
         let expected = "a PNG, as with -o step.png: an SVG is as large as it is shown";
         return Err(OptionsError::new("scale", scale.to_string(), expected).into());
@@ -32,7 +33,7 @@ pub fn run(args: &PictureArgs) -> Result<u8, CliError> {
     options.numbers = args.numbers;
     options.theme = args.theme;
     let svg = draw(&document, &problem, &plan, &options)?;
-    match (&args.out, format) {
+    match (out, format) {
         (None, _) => print(&svg)?,
         (Some(out), Format::Svg) => file::write(out, svg.as_bytes())?,
         (Some(out), Format::Png) => {
