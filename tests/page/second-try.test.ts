@@ -1,11 +1,13 @@
 // What could not be loaded is tried again by one click, and said in words that help; what no second try helps has no such
 // button.
 import assert from "node:assert/strict";
+import { Readable } from "node:stream";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
+import { LARGEST_DOCUMENT } from "../../www/src/problem/limits.js";
 import { visit } from "./support/browser.js";
 import { grid } from "./support/documents.js";
-import { startHost } from "./support/host.js";
+import { type Answer, startHost } from "./support/host.js";
 
 const home = await startHost();
 /** Another host, which lets no other page read its files. */
@@ -178,6 +180,122 @@ test("a document that does not come is told of while it is waited for, and then 
       await again(page).click();
       while (!(await page.locator("#one[data-status=optimal]").isVisible())) await page.clock.runFor(100);
       assert.equal(await page.getByText("did not answer").count(), 0);
+    },
+    { quiet: false },
+  ));
+
+test("a document that stops on its way is given up, to be tried again, and one that is slow is not", () =>
+  visit(
+    async ({ page }) => {
+      await page.clock.install();
+      const [text, parts] = [grid(), 4];
+      let next = 0;
+      let send = () => {};
+      home.own.set("lesson/slow.json", {
+        body: (response) => {
+          next = 0;
+          send = () => {
+            const size = Math.ceil(text.length / parts);
+            response.write(text.slice(next * size, (next + 1) * size));
+            next += 1;
+            if (next === parts) response.end();
+          };
+          send();
+        },
+      });
+      await lesson(page, 'problem="corridor"');
+      const until = async (selector: string) => {
+        while (!(await page.locator(selector).first().isVisible())) await page.clock.runFor(100);
+      };
+      await until("#one[data-status=optimal]");
+      await page.evaluate(() => {
+        const { read } = ReadableStreamDefaultReader.prototype;
+        const seen = { parts: 0, solved: "" };
+        Object.assign(globalThis, { seen });
+        ReadableStreamDefaultReader.prototype.read = async function () {
+          const part = await read.call(this);
+          seen.parts += 1;
+          return part as never;
+        };
+        const one = document.querySelector("#one") as HTMLElement & { src: string; solve(): Promise<unknown> };
+        one.src = "slow.json";
+        one.solve().then(
+          () => {
+            seen.solved = "solved";
+          },
+          (error: Error) => {
+            seen.solved = error.message;
+          },
+        );
+      });
+      const seen = () =>
+        page.evaluate(() => (globalThis as unknown as { seen: { parts: number; solved: string } }).seen);
+      const came = async (count: number) => {
+        while ((await seen()).parts < count);
+      };
+      // What has begun and stops is what does not answer.
+      await came(1);
+      await page.clock.runFor(29_000);
+      assert.equal((await seen()).solved, "");
+      await page.clock.runFor(2000);
+      await alert(page).getByText("/slow.json did not answer in 30 seconds.").waitFor();
+      assert.match((await seen()).solved, /did not answer in 30 seconds/);
+      // What goes on takes as long as it takes.
+      const before = (await seen()).parts;
+      await again(page).click();
+      for (let count = 1; count < parts; count++) {
+        await came(before + count);
+        await page.clock.runFor(29_000);
+        send();
+      }
+      while ((await alert(page).textContent()) !== "") await page.clock.runFor(100);
+      await until("#one[data-status=optimal]");
+      assert.equal(await page.locator("#one .title", { hasText: "Corridor" }).count(), 0, "the document came");
+    },
+    { quiet: false },
+  ));
+
+test("a document that breaks off on its way says so, with a button", () =>
+  visit(
+    async ({ page }) => {
+      const broken: Answer = {
+        headers: { "Access-Control-Allow-Origin": "*" },
+        body: (response) => response.write("{", () => response.destroy()),
+      };
+      for (const host of [home, other]) {
+        host.own.set("lesson/broken.json", broken);
+        await lesson(page, `src="${host.address}lesson/broken.json"`);
+        await alert(page).getByText("/lesson/broken.json broke off. Check the connection, then try again.").waitFor();
+        assert.equal(await again(page).count(), 1, host.address);
+      }
+    },
+    { quiet: false },
+  ));
+
+test("a document over the limit is read no further than that, whether or not it tells its length", () =>
+  visit(
+    async ({ page }) => {
+      const whole = 64 * LARGEST_DOCUMENT;
+      const part = " ".repeat(LARGEST_DOCUMENT / 8);
+      for (const headers of [{}, { "Content-Length": `${whole}` }]) {
+        const sent = new Promise<number>((over) => {
+          home.own.set("lesson/large.json", {
+            headers,
+            body: (response) => {
+              let bytes = 0;
+              function* parts() {
+                for (; bytes < whole; bytes += part.length) yield part;
+              }
+              response.on("close", () => over(bytes));
+              Readable.from(parts()).pipe(response);
+            },
+          });
+        });
+        await lesson(page, 'src="large.json"');
+        await alert(page).getByText("“large.json” is too large: at most 8 MiB can be opened.").waitFor();
+        assert.equal(await again(page).count(), 0, "a second try does not help");
+        assert((await sent) < whole, `cancelled, with ${Object.keys(headers)}`);
+      }
     },
     { quiet: false },
   ));

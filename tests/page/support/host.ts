@@ -1,7 +1,7 @@
 // A host for pages that a test writes, with the built page beside them. (A browser counts what a test answers in the
 // network's place for a page of the internet, which may not read files of this machine.)
 import { readFile } from "node:fs/promises";
-import { createServer } from "node:http";
+import { createServer, type ServerResponse } from "node:http";
 import type { AddressInfo } from "node:net";
 import { extname, join } from "node:path";
 import { after } from "node:test";
@@ -16,7 +16,8 @@ const types: Record<string, string> = {
 };
 
 export interface Answer {
-  body: string | Uint8Array;
+  /** Or what sends it, part by part. */
+  body: string | Uint8Array | ((response: ServerResponse) => void);
   headers?: Record<string, string>;
 }
 
@@ -35,7 +36,8 @@ export async function startHost(headers: Record<string, string> = {}): Promise<H
     const answer = own.get(path) ?? (await fromDist(path));
     const type = types[extname(path)] ?? "application/octet-stream";
     response.writeHead(answer === null ? 404 : 200, { "Content-Type": type, ...headers, ...answer?.headers });
-    response.end(answer?.body);
+    if (typeof answer?.body === "function") answer.body(response);
+    else response.end(answer?.body);
   });
   await new Promise<void>((listening) => server.listen(0, "127.0.0.1", listening));
   after(() => {
