@@ -76,21 +76,29 @@ test("keys that are for nothing are for the playground in sight, and for no fiel
     await page.locator("#one dialog[open]").waitFor();
   }));
 
+/** How a page hides the tab, and shows it again. */
+const hidings: Record<string, [hide: string, show: string]> = {
+  "display: none": ["tab.style.display = 'none'", "tab.style.display = ''"],
+  "closed details": ["tab.open = false", "tab.open = true"],
+  "hidden until found": ["tab.hidden = 'until-found'", "tab.hidden = false"],
+  "content-visibility: hidden": ["tab.style.contentVisibility = 'hidden'", "tab.style.contentVisibility = ''"],
+};
+
 test("a dialog closes where the page hides what it stands in", () =>
   visit(async ({ page }) => {
-    await lesson(page, `<a id="link" href="#x" onclick="window.clicked = true">A link</a><div id="tab">${one}</div>`);
-    for (const name of ["Help", "Save picture"]) {
-      await page.locator("#one").getByRole("button", { name, exact: true }).first().click();
-      await page.locator("#one dialog[open]").waitFor();
-      await page.evaluate(() => {
-        (document.getElementById("tab") as HTMLElement).style.display = "none";
-      });
-      await page.locator("#one dialog[open]").waitFor({ state: "detached" });
-      await page.locator("#link").click();
-      assert.equal(await page.evaluate("window.clicked"), true);
-      await page.evaluate(() => {
-        Object.assign(window, { clicked: false });
-        (document.getElementById("tab") as HTMLElement).style.display = "";
-      });
+    await lesson(
+      page,
+      `<a id="link" href="#x" onclick="window.clicked = true">A link</a><details id="tab" open>${one}</details>`,
+    );
+    for (const [how, [hide, show]] of Object.entries(hidings)) {
+      for (const name of ["Help", "Save picture"]) {
+        await page.locator("#one").getByRole("button", { name, exact: true }).first().click();
+        await page.locator("#one dialog[open]").waitFor();
+        await page.evaluate(hide);
+        await page.locator("#one dialog[open]").waitFor({ state: "detached" });
+        await page.locator("#link").click();
+        assert.equal(await page.evaluate("window.clicked"), true, how);
+        await page.evaluate(`window.clicked = false; ${show}`);
+      }
     }
   }));

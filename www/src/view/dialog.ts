@@ -3,8 +3,9 @@
 
 export function openModal(dialog: HTMLDialogElement): void {
   dialog.showModal();
-  const drawn = new ResizeObserver(() => {
-    if (dialog.open && dialog.getClientRects().length === 0) dialog.close();
+  // Each way of being hidden ends the intersection with the window; the size tells nothing of some.
+  const drawn = new IntersectionObserver(() => {
+    if (dialog.open && !dialog.checkVisibility()) dialog.close();
     if (!dialog.open) drawn.disconnect();
   });
   drawn.observe(dialog);
