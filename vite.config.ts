@@ -4,6 +4,7 @@ import { documentation } from "./scripts/documentation/plugin.mjs";
 import { exercises } from "./scripts/exercises/plugin.mjs";
 import { learn } from "./scripts/learn/plugin.mjs";
 import { openingAnswer } from "./scripts/page/opening-answer.mjs";
+import { ownNames } from "./scripts/page/own-names.mjs";
 import { partialDocuments } from "./scripts/page/partial-documents.mjs";
 import { stylesInElement } from "./scripts/page/styles.mjs";
 import { withoutAddress } from "./scripts/page/without-address.mjs";
@@ -34,6 +35,7 @@ export default defineConfig({
     policyInBuildOnly(),
     partialDocuments(),
     stylesInElement(),
+    ownNames(),
     openingAnswer(),
     documentation(),
     exercises(),

@@ -5,6 +5,7 @@ import { build } from "vite";
 import { dist, inRoot } from "../lib/paths.mjs";
 import { onlyAscii } from "./ascii.mjs";
 import { withoutOpeningAnswer } from "./opening-answer.mjs";
+import { ownNames } from "./own-names.mjs";
 import { stylesInElement } from "./styles.mjs";
 import { withoutAddress } from "./without-address.mjs";
 
@@ -16,7 +17,7 @@ export async function buildSingle() {
       logLevel: "warn",
       root: inRoot("www"),
       publicDir: false,
-      plugins: [stylesInElement(), withoutOpeningAnswer(), startInline(), core(), onlyAscii()],
+      plugins: [ownNames(), stylesInElement(), withoutOpeningAnswer(), startInline(), core(), onlyAscii()],
       worker: { format: "iife", plugins: () => [withoutAddress()] },
       build: {
         outDir: dist,

@@ -182,6 +182,21 @@ test("files that the page places itself are those that are used", () =>
     assert(!placedHere.some((request) => request.endsWith(worker)), placedHere.join(" "));
   }));
 
+for (const [name, script] of [
+  ["the script", own],
+  ["one file", single],
+] as const) {
+  test(`where a page adds names to all objects: ${name}`, () =>
+    visit(async ({ page }) => {
+      await host(page, `<script>Object.prototype.version = 1; Array.prototype.extra = "more";</script>${script}${one}`);
+      await solved(page);
+      for (const tab of ["Edit", "Compare", "Trade-off", "Exercise", "Steps"]) {
+        await page.locator("#one").getByRole("tab", { name: tab }).click();
+        await page.locator("#one").getByRole("tabpanel", { name: tab }).locator("button, table").first().waitFor();
+      }
+    }));
+}
+
 test("a worker that is forbidden, wasm that is forbidden, an address that answers nothing: said with what to do", () =>
   visit(
     async ({ page }) => {
