@@ -53,6 +53,33 @@ test("a number that is too large is not called no number", () =>
     }
   }));
 
+test("a plan that is no title and has no steps is said with both that could stand there", () =>
+  visit(async ({ page }) => {
+    await open(page, "problem=corridor&plan=No such title");
+    const set = (attributes: Record<string, string>) =>
+      page.locator("mo-copp-playground").evaluate((one, attributes) => void Object.assign(one, attributes), attributes);
+    const expected = "expected the title of a plan (“Straight there”, “Past and back”) or actions separated by commas.";
+    for (const [plan, words] of [
+      ["No such title", 'step 1: found "No such title", expected an action of this problem: north, south'],
+      ["east,nope", 'step 2: found "nope", expected an action of this problem: north, south'],
+    ] as const) {
+      await set({ plan });
+      await alert(page)
+        .getByText(`“${plan}” can’t be used for the attribute plan; ${expected} As actions: ${words}`)
+        .waitFor();
+    }
+    for (const plan of ["Past and back", "east"]) {
+      await set({ plan });
+      await alert(page).getByText("can’t be used").waitFor({ state: "detached" });
+    }
+    // A document has no titles.
+    await page.route("**/problem.json", (route) => route.fulfill({ json: JSON.parse(grid()) }));
+    await set({ src: "problem.json", plan: "nope" });
+    await alert(page)
+      .getByText("“nope” can’t be used for the attribute plan; expected actions separated by commas.")
+      .waitFor();
+  }));
+
 test("an empty plan is the plan without actions", () =>
   visit(async ({ page }) => {
     await open(page, "problem=delivery&plan=");

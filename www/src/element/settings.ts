@@ -275,14 +275,15 @@ async function showPlan(
   at: "first" | "end",
   wanted: () => boolean,
 ): Promise<void> {
-  const named = playground.gallery.current.value?.plans?.find(({ title }) => title === plan);
-  if (named !== undefined) await playground.gallery.show(named, at);
-  else
-    await playground.plans.show(
-      // An empty text is the plan without actions.
-      plan.trim() === "" ? [] : plan.split(",").map((action) => action.trim()),
-      "The plan of this page",
-      wanted,
-      at,
-    );
+  const { gallery, plans, answer } = playground;
+  const titled = gallery.current.value?.plans ?? [];
+  const named = titled.find(({ title }) => title === plan);
+  if (named !== undefined) return gallery.show(named, at);
+  // An empty text is the plan without actions.
+  const actions = plan.trim() === "" ? [] : plan.split(",").map((action) => action.trim());
+  const fault = await plans.show(actions, "The plan of this page", wanted, at);
+  if (fault === null || answer.error.peek() !== fault) return;
+  const titles = titled.map(({ title }) => `“${title}”`).join(", ");
+  const expected = `${titles === "" ? "" : `the title of a plan (${titles}) or `}actions separated by commas`;
+  answer.error.value = `${unusable("plan", brief(plan), expected)} As actions: ${fault}`;
 }

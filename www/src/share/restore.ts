@@ -89,7 +89,7 @@ function showMeanwhile(playground: RestoreStores, { document, plan = [], title, 
 
 async function showPlan(playground: RestoreStores, plan: string[], { mode, title }: SharedState): Promise<void> {
   if (mode === "walk") return playground.walk.resume(plan);
-  return playground.plans.show(plan, title ?? LINK);
+  await playground.plans.show(plan, title ?? LINK);
 }
 
 const same = (one: readonly string[], other: readonly string[]): boolean =>

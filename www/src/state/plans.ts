@@ -17,13 +17,17 @@ interface Stores {
 export class Plans {
   constructor(private readonly stores: Stores) {}
 
-  /** Shows another plan than the result's: `title` says whose; `wanted`, whether it is still, once its steps are there. */
-  async show(plan: string[], title: string, wanted = () => true, at: "first" | "end" = "end"): Promise<void> {
+  /**
+   * Shows another plan than the result's: `title` says whose; `wanted`, whether it is still, once its steps are there.
+   * Resolves to why the plan has no such steps, where it has none.
+   */
+  async show(plan: string[], title: string, wanted = () => true, at: "first" | "end" = "end"): Promise<string | null> {
     const document = this.stores.problem.document.value;
-    if (document === null) return;
+    if (document === null) return null;
     const ending = await this.stores.solving.ask({ kind: "trace", document: document.text, plan });
     if (ending.kind !== "traced") this.fail(ending, () => void this.show(plan, title, wanted, at));
     else if (wanted()) this.stores.boards.showPlan(ending.trace, title, at);
+    return ending.kind === "refused" && !isMissing(ending) ? ending.message : null;
   }
 
   /** Shows what was solved again. */
