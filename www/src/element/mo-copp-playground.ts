@@ -31,6 +31,8 @@ const frame = `
 .width { all: initial; display: block; contain: layout; height: 0; overflow: clip; visibility: hidden; font-size: inherit;
   word-spacing: max(10rem, min(60 * var(--mo-copp-font-size, max(1rem, 13px)), 100cqi - 2rem)); }
 .width::before { content: "- -"; display: block; min-width: 10rem; font: 1px/0 sans-serif; }
+.place { all: initial; display: block; visibility: inherit; height: 1px; margin-bottom: -1px; pointer-events: none; }
+.whole:has(> .place:focus-visible) { outline: 3px solid var(--mo-copp-focus, Highlight); outline-offset: 2px; }
 .ground { display: flow-root; }
 .mo-copp-part { all: initial; display: block; visibility: inherit; pointer-events: inherit; }
 .ground > .mo-copp-part { float: left; width: 100%; }

@@ -7,7 +7,7 @@ import type { Answered } from "../worker/protocol.js";
 import { nextTurn } from "../worker/turn.js";
 import { type Asked, count, overtakenBy } from "./asked.js";
 import { followed, isOn, no, propertiesAlone } from "./attributes.js";
-import { tellChange, validate } from "./form-field.js";
+import { type Asking, RequiredAnswer, tellChange } from "./form-field.js";
 import type { Wanted } from "./given.js";
 import { parsed, textOf } from "./parsed.js";
 import { reflect, reflected } from "./reflected.js";
@@ -48,6 +48,8 @@ export abstract class PlaygroundElement extends Base {
 
   /** What a form is told by. */
   readonly #internals: ElementInternals | undefined;
+  readonly #answer: RequiredAnswer | undefined;
+  #asking: Asking = "awaited";
   /** The code that a form sends; null where there is none. */
   #code: string | null = null;
   #isDisabled = false;
@@ -59,6 +61,8 @@ export abstract class PlaygroundElement extends Base {
   constructor() {
     super();
     this.#internals = this.attachInternals?.();
+    if (this.#internals !== undefined)
+      this.#answer = new RequiredAnswer(this, this.#internals, () => void this.show());
     this.#validate();
     const touch = () => {
       this.#touched = this.#asked.problems;
@@ -235,6 +239,7 @@ export abstract class PlaygroundElement extends Base {
       return;
     }
     const root = this.makeRoot();
+    this.#validate();
     this.#stopWaiting?.();
     // What is around the picture has the picture's size also where the element itself is clipped to none.
     const around = root.closest(".whole") ?? this;
@@ -278,6 +283,7 @@ export abstract class PlaygroundElement extends Base {
     this.#begun = begun.catch((error: unknown) => {
       this.#begun = null;
       this.failed(error, () => void this.show());
+      this.#validate();
       this.#settleReady();
       console.error(error);
     });
@@ -322,7 +328,7 @@ export abstract class PlaygroundElement extends Base {
   }
 
   #validate(): void {
-    if (this.#internals !== undefined) validate(this, this.#internals, isOn(this, "required") && this.#code === null);
+    this.#answer?.update(isOn(this, "required") && this.#code === null, this.#asking);
   }
 
   /** What a script set before the element was one: then it hides what the element does with it. */
