@@ -10,6 +10,7 @@ import { startHost } from "./support/host.js";
 const host = await startHost();
 host.own.set("favicon.ico", { body: "" });
 host.own.set("goals.json", { body: exerciseText("01-possible-goals") });
+host.own.set("broken.json", { body: "{" });
 host.own.set("sent.html", { body: `<!doctype html><html lang="en"><title>Sent</title><p>Sent.</p>` });
 
 /** A form whose button is far above its playground. */
@@ -72,3 +73,67 @@ test("reportValidity has a question that waits drawn as well", () =>
     await focusIs(page, "Check the answer");
     assert.equal(await isInSight(page), true);
   }));
+
+test("where no question is asked, that is said on the element, and the form is sent", () =>
+  visit(async ({ page }) => {
+    const said = "“required” is for a question, and none is asked here: a form is sent without an answer.";
+    await course(page, `problem="corridor"`);
+    await page.locator("mo-copp-playground[data-step]").waitFor();
+    await page.getByText(said).waitFor();
+    // It follows the attribute, and the document that a script gives.
+    const set = (change: object) => element(page).evaluate((node, change) => void Object.assign(node, change), change);
+    await set({ required: false });
+    await page.getByText(said).waitFor({ state: "detached" });
+    await set({ required: true });
+    await page.getByText(said).waitFor();
+    await set({ document: exerciseText("01-possible-goals") });
+    await page.locator(".choices input").first().waitFor();
+    assert.equal(await page.getByText(said).count(), 0);
+    await handIn(page);
+    await focusIs(page, "Check the answer");
+    await set({ problem: "delivery" });
+    await page.getByText(said).waitFor();
+    await handIn(page);
+    await isSent(page);
+    await course(page, `problem="corridor" loading="lazy"`);
+    await handIn(page);
+    await page.getByText(said).waitFor();
+    await handIn(page);
+    await isSent(page);
+  }));
+
+test("where the question did not come, a required answer points at the second try, and the question follows it", () =>
+  visit(
+    async ({ page }) => {
+      await course(page, `src="later.json" seed="7"`);
+      await page.getByRole("button", { name: "Try again" }).waitFor();
+      await handIn(page);
+      await focusIs(page, "Try again");
+      assert.equal(await isInSight(page), true);
+      assert.match(
+        await message(page),
+        /^An answer is required here, and its question did not come\. The problem document “later\.json” could not be loaded/,
+      );
+      host.own.set("later.json", { body: exerciseText("01-possible-goals") });
+      await page.keyboard.press("Enter");
+      await page.locator(".choices input").first().waitFor();
+      await handIn(page);
+      await focusIs(page, "Check the answer");
+      // Without a second try the place itself is pointed at.
+      await course(page, `src="broken.json" loading="lazy"`);
+      await handIn(page);
+      await page.locator(".error p").waitFor();
+      await page.waitForFunction(() =>
+        /^An answer is required here, and its question did not come\. ./.test(
+          document.querySelector<MoCoppPlayground>("mo-copp-playground")?.validationMessage ?? "",
+        ),
+      );
+      await handIn(page);
+      assert.equal(await isInSight(page), true);
+      assert.equal(
+        await element(page).evaluate((node) => node.shadowRoot?.activeElement?.getAttribute("aria-label")),
+        "Question",
+      );
+    },
+    { quiet: false },
+  ));

@@ -3,6 +3,7 @@ import type { ByObserver } from "../core.js";
 import type { Playground } from "../playground/playground.js";
 import type { Result } from "../state/answer.js";
 import type { Answered } from "../worker/protocol.js";
+import type { Asking } from "./form-field.js";
 import type { PageQuestion } from "./page-question.js";
 import { scoreOf } from "./score.js";
 
@@ -42,6 +43,14 @@ interface Details {
   "mo-copp-score": ScoreDetail;
 }
 
+/** What a field of a form is told. */
+export interface FieldTold {
+  /** The code of an answer that a form is to send; null where there is none. */
+  keepCode: (code: string | null) => void;
+  /** Whether there is a question. */
+  keepAsking: (asking: Asking) => void;
+}
+
 export class Notifier {
   private step: string | null = null;
   private result: Result | null = null;
@@ -52,8 +61,7 @@ export class Notifier {
     private readonly playground: Playground,
     private readonly element: HTMLElement,
     private readonly question: PageQuestion,
-    /** Told of the code that a form is to send; null where the question has none yet. */
-    private readonly keepCode: (code: string | null) => void,
+    private readonly field: FieldTold,
   ) {}
 
   /** Tells what has changed since the last time. */
@@ -80,11 +88,12 @@ export class Notifier {
     if (outcome !== null && outcome !== this.result) this.send("mo-copp-outcome", outcome.outcome);
     this.result = outcome;
     if (this.question.counts) this.notifyScore();
+    this.field.keepAsking(this.question.asking);
   }
 
   private notifyScore(): void {
     const code = this.playground.exercise.code.value;
-    if (code !== this.code) this.keepCode(code);
+    if (code !== this.code) this.field.keepCode(code);
     if (code !== null && code !== this.code) this.send("mo-copp-answer", { code, score: scoreOf(this.playground) });
     this.code = code;
     const score = scoreOf(this.playground);

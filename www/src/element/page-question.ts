@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals-core";
 import type { Playground } from "../playground/playground.js";
 import type { SharedState } from "../share/shared-state.js";
+import type { Asking } from "./form-field.js";
 import { inline, isOwnPage } from "./settings.js";
 
 export class PageQuestion {
@@ -55,6 +56,14 @@ export class PageQuestion {
   /** Whether the page asks one. */
   get asked(): boolean {
     return this.own.value !== null;
+  }
+
+  /** What a form is told: whether there is a question that asks for an answer. */
+  get asking(): Asking {
+    const { answer, exercise } = this.playground;
+    if (exercise.posed.value !== null || this.asked) return "asked";
+    if (this.document.value === "missing") return { missing: answer.error.value };
+    return this.document.value === "known" && !exercise.opening.value ? "none" : "awaited";
   }
 
   /** Why no file may be opened; null where one may. */

@@ -61,8 +61,7 @@ export abstract class PlaygroundElement extends Base {
   constructor() {
     super();
     this.#internals = this.attachInternals?.();
-    if (this.#internals !== undefined)
-      this.#answer = new RequiredAnswer(this, this.#internals, () => void this.show());
+    if (this.#internals !== undefined) this.#answer = new RequiredAnswer(this, this.#internals, () => void this.show());
     this.#validate();
     const touch = () => {
       this.#touched = this.#asked.problems;
@@ -261,7 +260,7 @@ export abstract class PlaygroundElement extends Base {
     if (before === after) return;
     if (name === "required") this.#validate();
     // For the browser, which disables fields, any value of it says yes.
-    else if (name === "disabled" && after === no) this.removeAttribute(name);
+    if (name === "disabled" && after === no) this.removeAttribute(name);
     else if (name !== "disabled") this.follow(name);
   }
 
@@ -300,8 +299,12 @@ export abstract class PlaygroundElement extends Base {
     // The first picture is a turn of its own, not the end of the one that reads the page's code.
     await Promise.all([whenParsed(), nextTurn()]);
     const [Loaded] = await Promise.all([this.load(), earlier]);
-    const keepCode = (code: string | null) => this.#keepCode(code);
-    this.#view = new Loaded(this, this.makeRoot(), { shown: () => this.shown(), keepCode }, this.#wanted);
+    const told: ConstructorParameters<typeof View>[2] = {
+      shown: () => this.shown(),
+      keepCode: (code) => this.#keepCode(code),
+      keepAsking: (asking) => this.#keepAsking(asking),
+    };
+    this.#view = new Loaded(this, this.makeRoot(), told, this.#wanted);
     this.#view.disable(this.#isDisabled);
     if (this.isConnected) this.#view.connect();
   }
@@ -325,6 +328,12 @@ export abstract class PlaygroundElement extends Base {
     this.#validate();
     // What a page sets, or what it keeps from an earlier visit, is no change for it.
     if (changed && this.#touched === this.#asked.problems) tellChange(this);
+  }
+
+  #keepAsking(asking: Asking): void {
+    if (JSON.stringify(asking) === JSON.stringify(this.#asking)) return;
+    this.#asking = asking;
+    this.#validate();
   }
 
   #validate(): void {

@@ -105,11 +105,16 @@ export const opensAt = (element: Element): "first" | "end" =>
 const INSIDE = ", or stands in the element, as a script of the type application/json";
 const elsewhere = { document: INSIDE, state: "" } as const;
 
-/**
- * What of these attributes can't be used: a sentence for each that says what was expected. `goals`: how many the problem
- * has; null while there is none.
- */
-export function mistakes(element: Element, names: ReadonlySet<string>, goals: number | null): string[] {
+/** What is open. */
+interface Open {
+  /** How many goals the problem has; null while there is none. */
+  goals: number | null;
+  /** Whether there is a question, or there may be one. */
+  asks: boolean;
+}
+
+/** What of these attributes can't be used: a sentence for each that says what was expected. */
+export function mistakes(element: Element, names: ReadonlySet<string>, { goals, asks }: Open): string[] {
   const value = (name: string) => (names.has(name) ? element.getAttribute(name) : null);
   const [solver, step, theme, keys] = [value("solver"), value("step"), value("theme"), value("keys")];
   const [seed, student, watch, root] = [value("seed"), value("student"), value("watch"), value("root")];
@@ -126,6 +131,8 @@ export function mistakes(element: Element, names: ReadonlySet<string>, goals: nu
     );
   if (root !== null && root !== "page")
     found.push(unusable("root", root, "page, which is for the playground’s own page alone"));
+  if (names.has("required") && isOn(element, "required") && !asks)
+    found.push("“required” is for a question, and none is asked here: a form is sent without an answer.");
   for (const [name, words] of Object.entries({ link: links, loading: loadings })) {
     const word = value(name);
     if (word !== null && !isOneOf(words, word)) found.push(unusable(name, word, words.join(", ")));

@@ -29,9 +29,9 @@ import { type WorkbenchStores, workbench } from "../workbench/workbench.js";
 import { choosePlaces } from "../worker/places.js";
 import type { Answered } from "../worker/protocol.js";
 import { AttributeChanges } from "./attribute-changes.js";
-import { AttributeMessage, manners } from "./attribute-message.js";
+import { AttributeMessage, manners, ofQuestion } from "./attribute-message.js";
 import { errorMessage } from "./error-message.js";
-import { Notifier } from "./events.js";
+import { type FieldTold, Notifier } from "./events.js";
 import { FirstUse } from "./first-use.js";
 import { Given, type Wanted } from "./given.js";
 import { keepInSight } from "./in-sight.js";
@@ -74,11 +74,9 @@ const exercise = new LazyPanel<ExerciseViewStores>(
 const beliefs: readonly Part[] = ["enemy", "friend", "counts", "goals", "legend"];
 
 /** What the element is told. */
-interface Told {
+interface Told extends FieldTold {
   /** There is a picture of a problem, or word of why there is none. */
   shown: () => void;
-  /** The code of an answer that a form is to send; null where there is none. */
-  keepCode: (code: string | null) => void;
 }
 
 export class View {
@@ -137,8 +135,8 @@ export class View {
       () => this.content(),
       () => this.drawn(),
     );
-    this.notifier = new Notifier(this.playground, host, this.question, told.keepCode);
-    this.message = new AttributeMessage(host, this.playground);
+    this.notifier = new Notifier(this.playground, host, this.question, told);
+    this.message = new AttributeMessage(host, this.playground, this.question);
     this.tour = new Tour(root);
     this.onStage = { toured: { ...this.playground, tour: this.tour }, alone: { ...this.playground, tour: null } };
     // Where the page asks a question, a link opens no other.
@@ -237,6 +235,7 @@ export class View {
     const opened = await open();
     if (!this.given.end(pending, opened)) return;
     this.ended(opened);
+    this.message.say(ofQuestion);
     if (opened && this.given.changed.has("step")) goToStep(this.playground, settingsOf(this.host));
     const { again } = this.playground.answer;
     if (!opened && again.value !== null) again.value = () => void this.give(pending, document, open);
