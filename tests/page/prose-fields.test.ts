@@ -141,3 +141,75 @@ test("a step beyond the last is the last: by attribute, link, field, method and 
     );
     await shown(5);
   }));
+
+test("after a reset of their form, fields show what is so, as before it", () =>
+  visit(async ({ page }) => {
+    const select = (id: string, name: string, values: string[]) =>
+      `<select id="${id}" data-mo-copp-for="one" data-mo-copp-show="${name}">${values.map((value) => `<option>${value}</option>`).join("")}</select>`;
+    await lesson(
+      page,
+      `${select("solver", "solver", ["ip", "exact", "legible"])}${select("theme", "theme", ["dark", "light", "auto"])}
+       ${select("problem", "problem", ["delivery", "corridor"])}${field("number", "step", `type="number"`)}
+       ${field("range", "step", `type="range"`)}${field("dark", "theme", `type="checkbox" value="dark"`)}
+       <input type="radio" name="r" id="light" value="light" data-mo-copp-for="one" data-mo-copp-show="theme">
+       <button type="reset">Start again</button>`,
+    );
+    const values = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll<HTMLInputElement>("form :is(input, select)")].map(
+          ({ id, type, value, checked }) =>
+            type === "radio" || type === "checkbox" ? `${id} ${checked}` : `${id} ${value}`,
+        ),
+      );
+    await page.locator("#solver").selectOption("legible");
+    await page.waitForSelector("#one[data-status=solved]");
+    await page.locator("#theme").selectOption("dark");
+    await page.locator("#number").fill("1");
+    await page.waitForSelector(`#one[data-step="1"]`);
+    const before = [
+      "solver legible",
+      "theme dark",
+      "problem corridor",
+      "number 1",
+      "range 1",
+      "dark true",
+      "light false",
+    ];
+    assert.deepEqual(await values(), before);
+    await page.getByRole("button", { name: "Start again" }).click();
+    await page.waitForTimeout(100);
+    assert.deepEqual(await values(), before, "by the button");
+    await page.evaluate(() => document.querySelector("form")?.reset());
+    await page.waitForTimeout(100);
+    assert.deepEqual(await values(), before, "by a script");
+  }));
+
+test("fields for the solver show the one that is at work, also where no attribute names it", () =>
+  visit(async ({ page }) => {
+    const radio = (value: string) =>
+      `<input type="radio" name="r" id="${value}" value="${value}" data-mo-copp-for="one" data-mo-copp-show="solver">`;
+    await lesson(
+      page,
+      `<select id="list" data-mo-copp-for="one" data-mo-copp-show="solver"><option>ip<option>exact<option>legible</select>
+       ${radio("exact")}${radio("ip")}`,
+    );
+    const shown = async () => [
+      await page.locator("#list").inputValue(),
+      await page.locator("#exact").isChecked(),
+      await page.locator("#ip").isChecked(),
+    ];
+    assert.deepEqual(await shown(), ["exact", true, false]);
+    await page.locator("#list").selectOption("legible");
+    await page.waitForSelector("#one[data-status=solved]");
+    assert.deepEqual(await shown(), ["legible", false, false]);
+    // A script has another one solve.
+    await page.locator("#one").evaluate((one) => (one as MoCoppPlayground).solve({ solver: "ip" }));
+    await page.waitForFunction(() => document.querySelector<HTMLSelectElement>("#list")?.value === "ip");
+    assert.deepEqual(await shown(), ["ip", false, true]);
+    await page.locator("#list").selectOption("legible");
+    await page.waitForSelector("#one[data-status=solved]");
+    assert.deepEqual(await shown(), ["legible", false, false]);
+    await page.locator("#one").evaluate((one) => one.removeAttribute("solver"));
+    await page.waitForSelector("#one[data-status=optimal]");
+    assert.deepEqual(await shown(), ["exact", true, false]);
+  }));

@@ -31,6 +31,11 @@ const ofProblem = [...addresses, "plan", "step"] as const;
 /** What each playground told last, wherever in the page it was moved since. */
 const told = new WeakMap<HTMLElement, Shown>();
 
+/** The solver that each was asked for last, by the page or by hand. */
+const solvers = new WeakMap<HTMLElement, string | null>();
+/** The solver where none is named. */
+const DEFAULT_SOLVER = "exact";
+
 interface Followed {
   /** Has a playground drawn that waits to be seen. */
   wake: () => void;
@@ -60,6 +65,13 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
     told.set(host, (event as CustomEvent<Shown>).detail);
     show();
   };
+  const solved = (event: Event) => {
+    if (event.target !== host) return;
+    solvers.set(host, (event as CustomEvent<{ solver: string }>).detail.solver);
+    show();
+  };
+  /** A form sets its fields after it has said that it will. */
+  const reset = () => setTimeout(show);
   const clicked = (event: Event) => {
     const part = partOf(event, parts());
     const wanted = part === undefined ? [] : changes(part);
@@ -92,13 +104,18 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
   };
   const listeners: [EventTarget, string, (event: Event) => void][] = [
     [host, "mo-copp-step", stepped],
+    [host, "mo-copp-outcome", solved],
+    [root, "reset", reset],
     [root, "click", clicked],
     [root, "input", typed],
     [root, "change", left],
   ];
-  for (const [target, type, listener] of listeners) target.addEventListener(type, listener);
+  for (const [target, type, listener] of listeners) target.addEventListener(type, listener, type === "reset");
   // Not every change of the status has an event.
-  const state = new MutationObserver(show);
+  const state = new MutationObserver((records) => {
+    if (records.some(({ attributeName }) => attributeName === "solver")) solvers.set(host, host.getAttribute("solver"));
+    show();
+  });
   state.observe(host, { attributes: true, attributeFilter: ["id", "data-status", "data-gd", ...ofAttributes] });
   // What comes into the prose later.
   const prose = new MutationObserver((records) => {
@@ -107,7 +124,7 @@ export function followInProse(host: HTMLElement, { wake, again }: Followed): () 
   prose.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: [FOR, SHOW, `${SET}step`] });
   show();
   return () => {
-    for (const [target, type, listener] of listeners) target.removeEventListener(type, listener);
+    for (const [target, type, listener] of listeners) target.removeEventListener(type, listener, type === "reset");
     state.disconnect();
     prose.disconnect();
   };
@@ -175,6 +192,7 @@ function isOfSame(part: Element, host: HTMLElement): boolean {
 function shownValue(name: string, host: HTMLElement, shown: Shown | null): string | null {
   if (name === "status") return host.dataset.status ?? null;
   if (name === "theme") return host.getAttribute(name) ?? "auto";
+  if (name === "solver") return solvers.get(host) ?? host.getAttribute(name) ?? DEFAULT_SOLVER;
   if (isOneOf(ofAttributes, name)) return host.getAttribute(name);
   if (shown === null) return null;
   switch (name) {
