@@ -128,6 +128,10 @@ const styles: readonly Style[] = [
     css: "* { text-decoration: underline wavy red 3px } .done { text-decoration: line-through !important }",
     around: (inner) => `<div class="done"><u><s>${inner}</s></u></div>`,
   },
+  {
+    name: "text before and after all elements",
+    css: `*::before, *::after { content: "x" } mo-copp-playground::before { content: "x" !important; display: block }`,
+  },
 ];
 
 const elements = [

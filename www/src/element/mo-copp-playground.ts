@@ -26,6 +26,7 @@ const frame = `
 :host { display: block; writing-mode: horizontal-tb !important; columns: auto !important;
   contain: none !important; container-type: normal !important; }
 :host([hidden]) { display: none !important; }
+:host::before, :host::after { content: none !important; }
 :host(:fullscreen) { overflow: auto; }
 .whole { display: block; flex: 1 1 auto; grid-column: 1 / -1; place-self: start stretch; width: 100%; min-width: 0; }
 .width { all: initial; display: block; contain: layout; height: 0; overflow: clip; visibility: hidden; font-size: inherit;
