@@ -180,6 +180,29 @@ for (const { name } of entries.filter(({ name }) => drawn.includes(name))) {
     }));
 }
 
+test("in a column or a narrow box the boards are printed one below the other", () =>
+  printed(async (page) => {
+    for (const style of ["width: 300px", "columns: 2"]) {
+      await page.route(`${address}lesson/print.html`, (route) =>
+        route.fulfill({
+          contentType: "text/html",
+          body: `<!doctype html><html lang="en"><title>Lesson</title><script type="module" src="../mo-copp-playground.js"></script>
+            <div style="${style}"><mo-copp-playground problem="corridor" link="off" hide="workbench"></mo-copp-playground></div></html>`,
+        }),
+      );
+      await page.goto(`${address}lesson/print.html`);
+      await statusIs(page, "optimal");
+      await page.emulateMedia({ media: "print" });
+      const widths = await page
+        .locator(".panel svg.board")
+        .evaluateAll((boards) => boards.map((board) => board.getBoundingClientRect().width));
+      assert.equal(widths.length, 3, style);
+      for (const width of widths) assert(width > 200, `${style}: ${widths}`);
+      await page.emulateMedia({ media: null });
+      await page.unroute(`${address}lesson/print.html`);
+    }
+  }));
+
 test("a print has the table of all steps, by the time the browser lays it out", () =>
   printed(async (page) => {
     await prepared(page);
