@@ -183,6 +183,12 @@ fn check_limited(
 ) -> bool {
     let ending = judge.check_plan(options, outcome, wish);
     let Some(limit) = outcome.limit else {
+        // Short of memory, a part of the portfolio may leave the work to another, which finds another plan.
+        let short = options.limits.bytes < Limits::default().bytes;
+        if short && options.solver == Solver::Satisficing {
+            assert_eq!(outcome.status, whole.status);
+            return false;
+        }
         // Short of memory, exact search may leave the proof that there is no plan to other means.
         let mut same = outcome.clone();
         if whole.status == Status::Infeasible && options.solver == Solver::Exact {
