@@ -11,12 +11,9 @@ use super::ground::stages::{Cheapest, Stages};
 use crate::heuristic::{SetAdditive, UNREACHABLE};
 use crate::limits::{LimitReached, Limits};
 use crate::solver::engine::Engine;
+use crate::solver::ground::thresholds::EXPANSIONS_WITHOUT_A_SMALLER_VALUE;
 use crate::solver::outcome::Stats;
 use crate::task::{Action, StateId, StateSpace, Task};
-
-/// Expansions without a smaller value after which new nodes take their turns as well. Driverlog
-/// with four drivers and eight packages is not solved in millions of expansions without.
-const PATIENCE: u64 = 1000;
 
 /// States, and what led to them where that matters.
 #[derive(Debug)]
@@ -87,7 +84,7 @@ impl SearchSpace for States {
     }
 
     fn patience(&self) -> Option<u64> {
-        Some(PATIENCE)
+        Some(EXPANSIONS_WITHOUT_A_SMALLER_VALUE)
     }
 
     fn limits(&self) -> &Limits {

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
 
+use crate::uses::paths;
 use crate::{files, read, root};
 
 /// What each part may use.
@@ -152,23 +153,18 @@ fn module(path: &Path) -> Option<String> {
     (!matches!(name.as_str(), "lib" | "main")).then_some(name)
 }
 
-/// What stands behind `crate::` or `mo_copp::` in code, documentation left out.
-fn uses(text: &str) -> BTreeSet<String> {
-    let mut used = BTreeSet::new();
-    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-    let code = code.collect::<Vec<_>>().join("\n");
-    // Tests in a file may use anything.
-    let code = code.split("#[cfg(test)]").next().unwrap();
-    for root in ["crate::", "mo_copp::"] {
-        for rest in code.split(root).skip(1) {
-            let name: String =
-                rest.chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect();
-            if !name.is_empty() {
-                used.insert(name);
-            }
-        }
-    }
-    used
+/// The modules that a file uses; tests in it may use anything.
+fn uses(path: &Path) -> BTreeSet<String> {
+    let below = path.strip_prefix(root().join("src")).unwrap().with_extension("");
+    let parts = below.iter().map(|part| part.to_string_lossy().into_owned());
+    let module: Vec<String> =
+        parts.filter(|part| !matches!(part.as_str(), "mod" | "lib" | "main")).collect();
+    let paths = paths(&std::fs::read_to_string(path).unwrap(), &module);
+    // Constants and types of the crate's root are none.
+    let is_module = |name: &String| {
+        name.starts_with(|letter: char| letter.is_ascii_lowercase() || letter == '*')
+    };
+    paths.into_iter().filter_map(|path| path.into_iter().next()).filter(is_module).collect()
 }
 
 /// The files of the page, each with the files that it imports: types count, and so does what is loaded later.
@@ -250,7 +246,7 @@ fn modules_use_only_what_their_arrows_allow() {
         if path.ends_with("tests.rs") {
             continue;
         }
-        let used = uses(&std::fs::read_to_string(path).unwrap());
+        let used = uses(path);
         seen.extend(used.into_iter().map(|to| (path.as_path(), from.clone(), to)));
         seen.push((path, from.clone(), from));
     }

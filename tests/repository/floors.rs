@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use crate::uses::paths;
 use crate::{files, root};
 
 /// The names of a module and of those it may use.
@@ -34,10 +35,19 @@ const ENGINES: &[Arrows] = &[
 /// What is made of several engines, or helps itself to one.
 const COMPOSITIONS: &[Arrows] = &[
     ("conclude", &["engine", "error", "options", "outcome", "parallel_walks"]),
-    ("cost_limited", &["engine", "explorer", "optimiser", "options", "outcome"]),
+    ("cost_limited", &["engine", "explorer", "ground", "optimiser", "options", "outcome"]),
     (
         "portfolio",
-        &["algorithm1", "engine", "explorer", "optimiser", "options", "outcome", "parallel_walks"],
+        &[
+            "algorithm1",
+            "engine",
+            "explorer",
+            "ground",
+            "optimiser",
+            "options",
+            "outcome",
+            "parallel_walks",
+        ],
     ),
     (
         "remedy",
@@ -103,23 +113,12 @@ fn first_names(rest: &str) -> Vec<String> {
 }
 
 /// The modules directly below `solver` that a file uses; a name that `solver` exports counts for the
-/// module it comes from.
-fn uses(code: &str, depth: usize, exported: &BTreeMap<String, String>) -> BTreeSet<String> {
-    let mut used = BTreeSet::new();
-    let up = "super::".repeat(depth);
-    for root in ["crate::solver::", &up] {
-        for (place, _) in code.match_indices(root) {
-            let before = &code[..place];
-            // Of `super::super::` only the whole counts.
-            if before.ends_with("::") || code[place + root.len()..].starts_with("super::") {
-                continue;
-            }
-            let names = first_names(&code[place + root.len()..]).into_iter();
-            let names = names.filter(|name| !name.is_empty());
-            used.extend(names.map(|name| exported.get(&name).cloned().unwrap_or(name)));
-        }
-    }
-    used
+/// module it comes from, and all names at once for a module of the name `*`, which there is not.
+fn uses(path: &Path, parts: &[String], exported: &BTreeMap<String, String>) -> BTreeSet<String> {
+    let module: Vec<String> = [&["solver".to_owned()], parts].concat();
+    let paths = paths(&std::fs::read_to_string(path).unwrap(), &module);
+    let below = paths.into_iter().filter(|path| path.len() > 1 && path[0] == "solver");
+    below.map(|path| exported.get(&path[1]).unwrap_or(&path[1]).clone()).collect()
 }
 
 /// Which module each name comes from that `solver` exports.
@@ -153,7 +152,7 @@ fn modules_of_the_solvers_use_only_lower_floors() {
         let permitted = allowed
             .get(module.as_str())
             .unwrap_or_else(|| panic!("{module} is on no floor of src/solver"));
-        for used in uses(&code(&path), parts.len(), &exported) {
+        for used in uses(&path, &parts, &exported) {
             let known = used == *module || permitted.contains(&used.as_str());
             assert!(known, "{} uses {used}, which {module} may not", path.display());
             seen.insert((module.clone(), used));

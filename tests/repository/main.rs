@@ -7,6 +7,7 @@ mod examples;
 mod floors;
 mod fresh_clone;
 mod papers;
+mod uses;
 
 use std::path::{Path, PathBuf};
 

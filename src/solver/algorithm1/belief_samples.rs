@@ -2,8 +2,8 @@
 //!
 //! Algorithm 1 carries both full beliefs in every node, and a belief may hold a hundred thousand
 //! states. Yet of most nodes nothing is asked but how far the goals are from the beliefs. So a node
-//! carries *samples*. The sample of a belief of at most `WHOLE` states is all of it. That of a
-//! larger one is some `KEPT` states of it, those nearest to the candidate goals, followed from one
+//! carries *samples*. The sample of a belief of at most `STATES_OF_A_WHOLE_BELIEF` states is all of it. That of a
+//! larger one is some `STATES_KEPT` states of it, those nearest to the candidate goals, followed from one
 //! symbol to the next as a beam search would: the states of the next sample are successors of the
 //! states of the one before.
 //!
@@ -20,16 +20,8 @@ use crate::heuristic::{GoalValues, UNREACHABLE};
 use crate::limits::LimitReached;
 use crate::problem::JointSpace;
 use crate::sensor::Symbol;
+use crate::solver::ground::thresholds::{STATES_KEPT, STATES_LOOKED_AT, STATES_OF_A_WHOLE_BELIEF};
 use crate::task::StateId;
-
-/// Beliefs of at most so many states are kept whole.
-const WHOLE: usize = 64;
-
-/// So many states are kept of a larger belief.
-const KEPT: usize = 16;
-
-/// Of a belief that is larger and known, so many states are looked at, evenly spread.
-const LOOKED_AT: usize = 1024;
 
 /// No belief, no sample yet.
 const UNKNOWN: u32 = u32::MAX;
@@ -102,7 +94,9 @@ impl BeliefSamples {
     /// The full belief, where it is known and small enough to be the sample.
     pub(super) fn whole(&self, joint: &JointSpace, sample: SampleId) -> Option<BeliefId> {
         let members = |belief| joint.beliefs(self.observer).members(belief).listed();
-        self.known(sample).filter(|&belief| members(belief).is_some_and(|list| list.len() <= WHOLE))
+        self.known(sample).filter(|&belief| {
+            members(belief).is_some_and(|list| list.len() <= STATES_OF_A_WHOLE_BELIEF)
+        })
     }
 
     fn add(&mut self, before: u32, symbol: Symbol, belief: u32) -> SampleId {
@@ -128,8 +122,8 @@ impl BeliefSamples {
         }
         let members = joint.beliefs(self.observer).members(belief);
         self.found.clear();
-        if members.listed().is_none_or(|list| list.len() > WHOLE) {
-            self.found = joint.some_members(self.observer, belief, LOOKED_AT);
+        if members.listed().is_none_or(|list| list.len() > STATES_OF_A_WHOLE_BELIEF) {
+            self.found = joint.some_members(self.observer, belief, STATES_LOOKED_AT);
             self.keep_nearest(joint, values);
         }
         let sample = self.add(UNKNOWN, Symbol(0), belief.0);
@@ -143,7 +137,7 @@ impl BeliefSamples {
     /// The sample after a symbol, seen as the actor went to the state `truth`.
     ///
     /// Constant for a symbol that was seen here before; else at most linear in the transitions out
-    /// of `WHOLE` states, but for their heuristic values.
+    /// of `STATES_OF_A_WHOLE_BELIEF` states, but for their heuristic values.
     pub(super) fn follow(
         &mut self,
         joint: &mut JointSpace,
@@ -197,10 +191,10 @@ impl BeliefSamples {
     /// Keeps of the states found those nearest to each goal but the true one, which needs no help
     /// to survive.
     fn keep_nearest(&mut self, joint: &JointSpace, values: &mut GoalValues) {
-        if self.found.len() <= KEPT {
+        if self.found.len() <= STATES_KEPT {
             return;
         }
-        let share = (KEPT / (self.goals - 1).max(1)).max(1);
+        let share = (STATES_KEPT / (self.goals - 1).max(1)).max(1);
         let mut kept = FixedBitSet::with_capacity(self.found.len());
         let mut nearest: Vec<(u32, u32)> = Vec::with_capacity(self.found.len());
         for goal in (0..self.goals).filter(|&goal| goal != self.true_goal) {
@@ -210,7 +204,7 @@ impl BeliefSamples {
             }
             nearest.select_nth_unstable(share);
             kept.extend(nearest[..share].iter().map(|&(_, place)| place as usize));
-            if kept.count_ones(..) >= KEPT {
+            if kept.count_ones(..) >= STATES_KEPT {
                 break;
             }
         }

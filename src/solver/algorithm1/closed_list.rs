@@ -11,6 +11,7 @@
 use rustc_hash::FxHashSet;
 
 use crate::problem::{JointSpace, Node};
+use crate::solver::ground::thresholds::STATES_OF_A_SUBSET;
 use crate::task::StateId;
 
 /// The closed combinations of a search.
@@ -21,9 +22,6 @@ pub(super) struct ClosedList {
     closed: FxHashSet<Box<[u32]>>,
     bytes: u64,
 }
-
-/// So many states of a belief that is not listed are put together in subsets.
-const SAMPLED: usize = 64;
 
 /// Goes through the Δ-subsets of a belief that contain one state.
 #[derive(Debug)]
@@ -115,7 +113,7 @@ impl ClosedList {
                 if joint.beliefs(observer).members(belief).listed().is_some() {
                     return None;
                 }
-                let mut sample = joint.some_members(observer, belief, SAMPLED);
+                let mut sample = joint.some_members(observer, belief, STATES_OF_A_SUBSET);
                 sample.push(node.state);
                 sample.sort_unstable();
                 sample.dedup();

@@ -35,15 +35,12 @@ use crate::heuristic::{GoalValues, UNREACHABLE};
 use crate::limits::{LimitReached, Limits};
 use crate::problem::{JointSpace, Node, Problem, Role, Tuples};
 use crate::solver::engine::Engine;
+use crate::solver::ground::thresholds::UNREACHABLE_VALUE;
 use crate::solver::outcome::Stats;
 use crate::solver::{Bounds, Options};
 use crate::task::{Action, StateId};
 use belief_samples::{BeliefSamples, SampleId};
 use closed_list::ClosedList;
-
-/// What a goal that cannot be reached any more counts as in a sum of values: more than goals in
-/// problems of the paper's size are away, so that ruling one out for good is worth the way.
-const UNREACHABLE_VALUE: u32 = 64;
 
 /// The actor's state, the number of the samples of all observers, and the [stage](Stages).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -20,11 +20,8 @@ use super::outcome::{Progress, Stats, Status};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::Problem;
+use crate::solver::ground::thresholds::RELAXED_EXPANSIONS;
 use crate::trace::Witness;
-
-/// The expansions of the optimiser: most of the problems that it proves at all take no more, and where
-/// the limit matters they are lost.
-const RELAXED_EXPANSIONS: u64 = 2_000;
 
 /// The engines, one at work at a time.
 pub(super) struct CostLimited {

@@ -27,11 +27,9 @@ use crate::solver::Options;
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::ground::dead_ends::TrueGoalDistances;
 use crate::solver::ground::goal_costs::GoalCosts;
+use crate::solver::ground::thresholds::VISITS_BETWEEN_CHECKS;
 use crate::solver::outcome::{LengthPoint, Progress, ReachablePair, Stats, Status};
 use crate::task::{Action, StateId};
-
-/// How many labels are expanded between two looks at the memory.
-const EXPANSIONS_BETWEEN_CHECKS: u64 = 64;
 
 /// A way to a node.
 #[derive(Debug, Clone, Copy)]
@@ -208,7 +206,7 @@ impl CostBounded {
         if self.expansions >= limits.expansions {
             return Err(LimitReached::Expansions { limit: limits.expansions });
         }
-        if self.expansions.is_multiple_of(EXPANSIONS_BETWEEN_CHECKS) {
+        if self.expansions.is_multiple_of(VISITS_BETWEEN_CHECKS) {
             limits.check_bytes(self.bytes())?;
         }
         let number = self.next;

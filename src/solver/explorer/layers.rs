@@ -11,10 +11,8 @@ use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Node};
 use crate::solver::ground::graph::Graph;
+use crate::solver::ground::thresholds::VISITS_BETWEEN_CHECKS;
 use crate::task::StateId;
-
-/// How many nodes are visited between two looks at the memory.
-const VISITS_BETWEEN_CHECKS: u64 = 64;
 
 /// In which layers a node is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

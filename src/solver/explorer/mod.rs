@@ -25,19 +25,17 @@ use std::sync::Arc;
 use fixedbitset::FixedBitSet;
 
 use super::engine::{Advance, Engine, Finding};
-use super::ground::completion::{self, MOST_STATES, complete};
+use super::ground::completion::{self, complete};
 use super::ground::dead_ends::{StatesBySteps, TrueGoalDistances};
 use super::outcome::{LengthPoint, Progress, ReachablePair, Stats};
 use super::{Bounds, Options};
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Problem};
+use crate::solver::ground::thresholds::{COMPLETIONS, STATES_OF_A_COMPLETION};
 use crate::task::StateId;
 use ends::{Ends, best};
 use layers::{Layers, Membership};
 use pairs::{Pairs, stopped};
-
-/// When stopped at a horizon, this many nodes are followed to the goal at most.
-const COMPLETIONS: usize = 256;
 
 /// The lengths of the plans that are looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -214,7 +212,7 @@ impl Explorer {
     fn completions(&mut self, horizon: usize) -> Vec<ReachablePair> {
         let Some(Kept::Steps(steps, _)) = &self.kept else { return Vec::new() };
         let mut points: Vec<ReachablePair> = Vec::new();
-        let mut room = MOST_STATES;
+        let mut room = STATES_OF_A_COMPLETION;
         let before = self.layers.predecessors();
         let (last, length) = (self.layers.last(), self.layers.length());
         let stride = last.len().div_ceil(COMPLETIONS).max(1);

@@ -16,11 +16,8 @@ use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, SurvivorCounts};
 use crate::solver::ground::dead_ends::TrueGoalDistances;
+use crate::solver::ground::thresholds::VISITS_OF_LAYERS;
 use crate::solver::{Bounds, MAX_HORIZON, Options};
-
-/// Visits after which layers are no longer gone through: some seconds. Each visit of a node after
-/// its first one is no expansion, but it takes time.
-const MOST_VISITS: u64 = 100_000_000;
 
 /// An exhaustive exploration around a horizon, or over all lengths where there is none.
 #[derive(Debug)]
@@ -111,7 +108,7 @@ impl Neighbourhood {
         limits: &Limits,
     ) -> Result<bool, LimitReached> {
         while !self.is_done() {
-            if self.layers.visits() > MOST_VISITS {
+            if self.layers.visits() > VISITS_OF_LAYERS {
                 return Err(LimitReached::Expansions { limit: limits.expansions });
             }
             let alive = |state| distances.reach_from(state);

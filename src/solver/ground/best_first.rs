@@ -11,6 +11,7 @@ use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::solver::engine::{Advance, Engine, Finding};
 use crate::solver::ground::search_tree::SearchTree;
+use crate::solver::ground::thresholds::EXPANSIONS_BETWEEN_CHECKS;
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::task::Action;
 
@@ -97,9 +98,6 @@ impl Open {
         index.map(|index| (value, index))
     }
 }
-
-/// How many nodes are expanded between two looks at the memory.
-const EXPANSIONS_BETWEEN_CHECKS: u64 = 16;
 
 /// A best-first search at work.
 pub(in crate::solver) struct BestFirst<S: SearchSpace> {

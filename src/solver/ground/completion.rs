@@ -3,16 +3,13 @@
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Node};
+use crate::solver::ground::thresholds::STATES_OF_A_COMPLETION;
 use crate::task::StateId;
 
 use super::dead_ends::TrueGoalDistances;
 use super::final_beliefs::allowed;
 use crate::solver::Bounds;
 use crate::solver::outcome::ReachablePair;
-
-/// The believed states that the completions of one stop may go through: a search that is stopped has
-/// to answer at once.
-pub(in crate::solver) const MOST_STATES: usize = 4_000_000;
 
 /// Goes on from the node at the end of `plan` for `left` actions, each the first one into a state
 /// that `leads` wants, given how many actions are then left. None where the plan so found misses the true goal or breaks
@@ -67,6 +64,7 @@ pub(in crate::solver) fn shortest(
     let left = distances.distance(root.state)?;
     let leads = |left, state| distances.distance(state) == Some(left);
     let from = (root, Plan::default());
-    let point = complete(joint, bounds, from, left, leads, &mut { MOST_STATES }).ok()??;
+    let point =
+        complete(joint, bounds, from, left, leads, &mut { STATES_OF_A_COMPLETION }).ok()??;
     Some(point)
 }

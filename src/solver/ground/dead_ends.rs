@@ -4,6 +4,7 @@ use fixedbitset::FixedBitSet;
 
 use crate::limits::LimitReached;
 use crate::problem::JointSpace;
+use crate::solver::ground::thresholds::{STATES_BETWEEN_CHECKS, STATES_OF_DEAD_ENDS};
 use crate::task::StateId;
 
 /// For each step of a horizon, the states that can be there in a plan of exactly that length.
@@ -80,9 +81,6 @@ pub(in crate::solver) struct TrueGoalDistances {
 /// The distance of a state from which the true goal cannot be reached.
 const NEVER: u32 = u32::MAX;
 
-/// State spaces above this size are not gone through before the search itself.
-const MOST_STATES: usize = 200_000;
-
 impl TrueGoalDistances {
     /// Linear in the transitions of the state space, as long as it is not too large.
     pub(in crate::solver) fn new(joint: &mut JointSpace) -> Result<Self, LimitReached> {
@@ -90,12 +88,12 @@ impl TrueGoalDistances {
         let limits = *joint.limits();
         let mut index = 0;
         while index < joint.states().len() {
-            if joint.states().len() > MOST_STATES {
+            if joint.states().len() > STATES_OF_DEAD_ENDS {
                 return Ok(Self { distances: None });
             }
             joint.states_mut().expand(StateId(index as u32));
             index += 1;
-            if index % 1024 == 0 {
+            if index.is_multiple_of(STATES_BETWEEN_CHECKS) {
                 limits.check_bytes(joint.bytes())?;
             }
         }

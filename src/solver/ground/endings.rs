@@ -5,14 +5,8 @@ use fixedbitset::FixedBitSet;
 use super::projections::Projections;
 use crate::limits::LimitReached;
 use crate::problem::JointSpace;
+use crate::solver::ground::thresholds::{PART_OF_MEMORY_FOR_ENDINGS, STATES_BETWEEN_CHECKS};
 use crate::task::StateId;
-
-/// The part of the memory limit that listing states for endings may take: a quarter. Above, the
-/// horizon is kept by estimates alone, which leaves out less: a plan of just this length may need
-/// another parity of steps than the estimates see.
-const PART_OF_MEMORY: u64 = 4;
-/// States expanded between two looks at the memory.
-const STATES_BETWEEN_CHECKS: usize = 1024;
 
 /// For each number of actions left, the states from which the true goal is that far, exactly.
 #[derive(Debug)]
@@ -40,7 +34,7 @@ impl Endings {
             let mut next = Vec::new();
             for (number, &state) in layer.iter().enumerate() {
                 if number % STATES_BETWEEN_CHECKS == 0
-                    && joint.bytes() > limits.bytes / PART_OF_MEMORY
+                    && joint.bytes() > limits.bytes / PART_OF_MEMORY_FOR_ENDINGS
                 {
                     return Ok(None);
                 }

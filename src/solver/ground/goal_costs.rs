@@ -7,13 +7,11 @@ use std::collections::BinaryHeap;
 use super::projections::Projections;
 use crate::limits::LimitReached;
 use crate::problem::JointSpace;
+use crate::solver::ground::thresholds::{STATES_BETWEEN_CHECKS, STATES_OF_DEAD_ENDS};
 use crate::task::{StateId, StateSpace};
 
 /// The cost of a state from which the true goal cannot be reached.
 const NEVER: u64 = u64::MAX;
-
-/// State spaces above this size are not gone through before the search itself.
-const MOST_STATES: usize = 200_000;
 
 /// Least costs of states.
 #[derive(Debug)]
@@ -34,7 +32,7 @@ impl GoalCosts {
     ///
     /// The memory limit.
     pub(in crate::solver) fn new(joint: &mut JointSpace) -> Result<Self, LimitReached> {
-        Self::listing(joint, MOST_STATES)
+        Self::listing(joint, STATES_OF_DEAD_ENDS)
     }
 
     fn listing(joint: &mut JointSpace, most: usize) -> Result<Self, LimitReached> {
@@ -51,7 +49,7 @@ impl GoalCosts {
             }
             joint.states_mut().expand(StateId(index as u32));
             index += 1;
-            if index % 1024 == 0 {
+            if index.is_multiple_of(STATES_BETWEEN_CHECKS) {
                 limits.check_bytes(joint.bytes())?;
             }
         }

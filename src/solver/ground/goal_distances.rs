@@ -10,6 +10,7 @@ use super::transition_graphs::TransitionGraphs;
 use crate::belief::diagram::{Diagrams, SetId};
 use crate::belief::{BeliefId, Members};
 use crate::problem::{JointSpace, Problem};
+use crate::solver::ground::thresholds::PART_OF_MEMORY_FOR_DISTANCES;
 use crate::task::{StateId, StateSpace, Task};
 
 /// A goal that cannot be reached any more.
@@ -19,10 +20,6 @@ const FARTHEST: u32 = NEVER as u32 - 2;
 
 /// Distances of a node that are not worked out, in place of the first.
 const UNKNOWN: u8 = NEVER - 1;
-
-/// The part of the memory limit that distances of states may take: an eighth. Further states count
-/// as 0 away from every goal, which makes the order worse and nothing wrong.
-const PART_OF_MEMORY: u64 = 8;
 
 /// The distances of a goal's facts by the value of their group.
 #[derive(Debug)]
@@ -86,7 +83,7 @@ impl GoalDistances {
             tables,
             goals,
             states: Vec::new(),
-            room: (memory / PART_OF_MEMORY).min(usize::MAX as u64) as usize,
+            room: (memory / PART_OF_MEMORY_FOR_DISTANCES).min(usize::MAX as u64) as usize,
             beliefs: vec![Vec::new(); problem.observers().len() + 1],
             known: vec![Vec::new(); problem.observers().len() + 1],
             nodes: vec![Vec::new(); problem.observers().len() + 1],

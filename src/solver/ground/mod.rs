@@ -11,7 +11,8 @@
 //! - [`final_beliefs`] says whether a plan may end with what is believed,
 //! - [`completion`] goes on greedily from where a search is stopped,
 //! - [`best_first`] is the loop of the greedy searches,
-//! - [`goal_distances`] estimates from them how far each candidate goal is, from states and beliefs.
+//! - [`goal_distances`] estimates from them how far each candidate goal is, from states and beliefs,
+//! - [`thresholds`] are the numbers that decide what is tried when, of all engines in one place.
 //!
 //! An engine uses this floor and no other engine.
 
@@ -27,4 +28,5 @@ pub(in crate::solver) mod projections;
 pub(in crate::solver) mod search_tree;
 pub(in crate::solver) mod shortest_length;
 pub(in crate::solver) mod stages;
+pub(in crate::solver) mod thresholds;
 pub(in crate::solver) mod transition_graphs;

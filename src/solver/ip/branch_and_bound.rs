@@ -16,18 +16,13 @@ use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::solver::Options;
 use crate::solver::engine::{Advance, Engine, Finding};
+use crate::solver::ground::thresholds::{FIRST_PLAN_EXPANSIONS, NODES_BETWEEN_CHECKS};
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::trace::{check_cost, validate};
 
 /// Bytes that microlp keeps for an open node besides one for each variable and row: the changes of
 /// bounds on the way to it and its own fields.
 const BYTES_OF_A_NODE: u64 = 512;
-
-/// How many nodes are solved between two looks at the memory; a slice ends there at the latest.
-const NODES_BETWEEN_CHECKS: u64 = 64;
-
-/// Expansions spent on the first plan.
-const FIRST_PLAN_EXPANSIONS: u64 = 256;
 
 /// Slack when a bound on a whole number is rounded down.
 const ROUNDING: f64 = 1e-6;

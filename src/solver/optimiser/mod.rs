@@ -11,7 +11,7 @@
 //! - [`sampling`] follows samples in place of beliefs that are too large to list,
 //! - [`estimates`] say how long a plan through a node must still be,
 //! - [`bounds`] are the upper bounds on all plans,
-//! - [`schedule`] is what is tried when, by [`thresholds`] that all stand in one place, and [`stages`] do it.
+//! - [`schedule`] is what is tried when, by [`thresholds`] that all stand in one place with those of the other engines, and [`stages`] do it.
 //!
 //! Over all lengths a plan found so need not be short. A second search, by length, then looks for a
 //! shortest plan of the value that is proved.
@@ -28,7 +28,6 @@ mod space;
 mod stages;
 #[cfg(test)]
 mod tests;
-mod thresholds;
 
 use std::sync::Arc;
 
@@ -36,6 +35,7 @@ use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, SurvivorCounts};
 use crate::solver::engine::{Advance, Engine, Finding};
+use crate::solver::ground::thresholds;
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::solver::{Bounds, Options};
 use crate::trace::Witness;

@@ -5,11 +5,7 @@
 use super::search::Met;
 use super::space::{Actor, Space};
 use crate::problem::Role;
-
-/// How much a goal of difference still missing weighs against a step.
-const WEIGHT_OF_VALUE: i64 = 6;
-/// How much a goal weighs that is at least as near in a friend's belief as the true one.
-const WEIGHT_OF_THREAT: u32 = 2;
+use crate::solver::ground::thresholds::{WEIGHT_OF_THREAT, WEIGHT_OF_VALUE};
 
 /// Steps since the value last rose + 6·(best value possible − value) + h + 2·threats.
 ///

@@ -5,12 +5,12 @@
 
 use rustc_hash::FxHashMap;
 
-use super::dominance::{Antichain, Policy, Steps};
+use super::dominance::{Antichain, Effort, Policy, Steps};
 use super::estimates::Estimates;
 use super::order;
 use super::queue::{BucketQueue, Ties};
 use super::space::{Actor, Node, Space};
-use super::thresholds::{EFFORT_TO_FIND, EFFORT_TO_PROVE};
+use super::thresholds::{NODES_COMPARED_TO_FIND, NODES_COMPARED_TO_PROVE, STATES_COMPARED_TO_FIND};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::SurvivorCounts;
@@ -94,8 +94,12 @@ impl Search {
             (None, _) => Steps::Any,
         };
         let effort = match way.order {
-            Order::Promise => EFFORT_TO_FIND,
-            Order::Length | Order::Depth => EFFORT_TO_PROVE,
+            Order::Promise => {
+                Effort { nodes: NODES_COMPARED_TO_FIND, states: STATES_COMPARED_TO_FIND }
+            }
+            Order::Length | Order::Depth => {
+                Effort { nodes: NODES_COMPARED_TO_PROVE, states: usize::MAX }
+            }
         };
         let (problem, bounds) = (space.problem(), &space.bounds);
         let antichain = Antichain::new(way.dominance, problem, bounds, steps, effort);

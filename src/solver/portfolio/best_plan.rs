@@ -10,25 +10,18 @@
 
 use std::sync::Arc;
 
-use super::first_plan::{FirstPlan, GREEDY_NODES, left};
+use super::first_plan::{FirstPlan, left};
 use crate::limits::LimitReached;
 use crate::problem::Problem;
 use crate::solver::Options;
 use crate::solver::engine::{Advance, Engine, Finding};
+use crate::solver::ground::thresholds::{
+    GREEDY_NODES, SHARE_OF_MEMORY, TIMES_AS_MUCH_WORK, WORK_AFTER_MEANS, WORK_WITHOUT_PLAN,
+};
 use crate::solver::optimiser::Optimiser;
 use crate::solver::outcome::{Progress, Stats};
 use crate::solver::parallel_walks;
 use crate::trace::validate_within;
-
-/// Believed states gone through and nodes expanded by the optimiser without a plan, after which one is looked for elsewhere:
-/// about half a second. After [`LONGER`] times as many the means have their next round.
-const WORK_WITHOUT_PLAN: u64 = 3_000_000;
-/// The same where the means began.
-const WORK_AFTER_MEANS: u64 = 300_000;
-const LONGER: u64 = 10;
-
-/// The means for a first plan and the optimiser beside them have the memory limit divided by this, each.
-pub(super) const SHARE_OF_MEMORY: u64 = 2;
 
 /// The optimiser and, for a while, the means for a first plan.
 pub(in crate::solver) struct BestPlan {
@@ -131,7 +124,7 @@ impl BestPlan {
             }
         };
         self.means = Means::AtWork(first);
-        self.work = self.work.saturating_mul(LONGER);
+        self.work = self.work.saturating_mul(TIMES_AS_MUCH_WORK);
     }
 
     /// The means have come to the end of a round, or to their own, perhaps with a plan.

@@ -5,26 +5,10 @@ use std::sync::Arc;
 use crate::limits::LimitReached;
 use crate::problem::Problem;
 use crate::solver::engine::{Advance, Engine, Finding};
+use crate::solver::ground::thresholds::{GREEDY_GENERATED, LONGER_ROUNDS, WALK_EVALUATIONS};
 use crate::solver::outcome::{Progress, Stats};
 use crate::solver::parallel_walks::{self, ParallelWalks};
 use crate::solver::{Options, algorithm1};
-
-/// The nodes that Algorithm 1 may take from its open list at first (whether it expands, defers or drops them).
-/// Few searches that find a plan at all take more in a small state space, and the tables of the optimiser cost more than
-/// as many nodes.
-pub(super) const GREEDY_NODES: u64 = 2_000;
-
-/// The nodes that Algorithm 1 may generate in the same turn where there are walks: for each it works out the values of all
-/// goals, so that with five of them this is as much work as the walks have. In a task with many operators it would spend
-/// all of the time before the walks begin.
-const GREEDY_GENERATED: u64 = 10_000;
-
-/// The values of states that the parallel walks may work out in their first turn: some tenths of a second.
-const WALK_EVALUATIONS: u64 = 50_000;
-
-/// What Algorithm 1 may generate in later rounds, and by how much the turns of the walks are longer then: together some
-/// seconds in the second round, a minute in the third.
-const LONGER: [(u64, u64); 2] = [(100_000, 8), (2_000_000, 80)];
 
 /// Algorithm 1 and the walks.
 pub(super) struct FirstPlan {
@@ -89,7 +73,7 @@ impl FirstPlan {
                 let greedy = Turn::Greedy { nodes: u64::MAX, generated };
                 [Turn::Walks(walks * WALK_EVALUATIONS), greedy]
             };
-            rounds = LONGER.iter().rev().map(round).collect();
+            rounds = LONGER_ROUNDS.iter().rev().map(round).collect();
         }
         let greedy = algorithm1::engine(Arc::clone(&problem), &options, horizon, suits_walks);
         Self {

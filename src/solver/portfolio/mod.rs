@@ -20,11 +20,11 @@ mod tests;
 
 use std::sync::Arc;
 
-use self::best_plan::SHARE_OF_MEMORY;
-use self::first_plan::{FirstPlan, GREEDY_NODES, left};
+use self::first_plan::{FirstPlan, left};
 use super::engine::{Advance, Engine, Finding};
 use super::explorer::Lengths;
 use super::explorer::cost_bounded::CostBounded;
+use super::ground::thresholds::{GREEDY_NODES, SHARE_OF_MEMORY};
 use super::optimiser::Optimiser;
 use super::outcome::{Progress, Stats, Status};
 use super::{Options, algorithm1};

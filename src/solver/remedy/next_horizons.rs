@@ -10,11 +10,9 @@ use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::Problem;
 use crate::solver::engine::{Advance, Engine};
+use crate::solver::ground::thresholds::HORIZONS_TRIED;
 use crate::solver::optimiser::Optimiser;
 use crate::solver::{MAX_HORIZON, Options};
-
-/// How many horizons on either side are tried.
-const TRIED: usize = 3;
 
 /// A search at the horizons next to the one asked for, the nearest first.
 pub(super) struct NextHorizons {
@@ -37,8 +35,8 @@ impl NextHorizons {
         asked: usize,
         shortest: usize,
     ) -> Self {
-        let longer = (shortest.max(asked + 1)..=MAX_HORIZON).take(TRIED);
-        let shorter = (shortest..asked).rev().take(TRIED);
+        let longer = (shortest.max(asked + 1)..=MAX_HORIZON).take(HORIZONS_TRIED);
+        let shorter = (shortest..asked).rev().take(HORIZONS_TRIED);
         let mut tries: Vec<usize> = Vec::new();
         for horizon in longer.chain(shorter) {
             let by = |horizon: usize| horizon.abs_diff(asked);

@@ -16,26 +16,10 @@ use crate::solver::engine::{Advance, Engine};
 use crate::solver::explorer::neighbourhood::Neighbourhood;
 use crate::solver::ground::dead_ends::StatesBySteps;
 use crate::solver::ground::shortest_length::{Reached, Shortest};
+use crate::solver::ground::thresholds::{EXPANSIONS_OF_REMEDIES, EXPLORED, REACH_EXPANSIONS};
 use crate::solver::outcome::Progress;
 use crate::solver::{Bounds, Horizon, Options, OptionsError, SolveError, Solver};
 use crate::trace::validate;
-
-/// Expansions after which the search gives up, where the options allow no fewer.
-const MOST_EXPANSIONS: u64 = 1_000_000;
-
-/// The expansions and the bytes of the exhaustive exploration that comes first. It answers all
-/// questions in one go where the space is small; where it is not, one question at a time is faster.
-const EXPLORED: Limits = Limits {
-    bytes: 32 << 20,
-    expansions: 20_000,
-    nodes: u64::MAX,
-    nonzeros: u64::MAX,
-    listed: usize::MAX,
-};
-
-/// Expansions of greedy search for any plan, after a proof that none keeps the bounds. Where the state space is too large to
-/// find a shortest plan in, it tells the reason.
-const REACH_EXPANSIONS: u64 = 2_000;
 
 /// Looks for remedies, in slices.
 ///
@@ -125,7 +109,7 @@ impl RemedyRun {
         options.bounds = options.heeded_bounds();
         options.solver = Solver::Exact;
         options.pairs = false;
-        options.limits.expansions = options.limits.expansions.min(MOST_EXPANSIONS);
+        options.limits.expansions = options.limits.expansions.min(EXPANSIONS_OF_REMEDIES);
         let asked = match options.horizon {
             Horizon::Steps(steps) => Some(steps),
             Horizon::Auto | Horizon::Any => None,
