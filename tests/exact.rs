@@ -88,6 +88,14 @@ pub fn bounds_hold(judge: &Judge, options: &Options, best: Option<i64>) {
     }
 }
 
+/// Each bound against the closure, without wishes and with random ones.
+pub fn bounds_hold_for(judge: &Judge, dice: &mut Dice) {
+    for wish in [Wish::default(), random::wish(dice, &judge.table)] {
+        let best = oracle::best(&judge.table, judge.endings().keys(), &wish);
+        bounds_hold(judge, &Judge::options(Solver::Exact, None, &wish), best);
+    }
+}
+
 /// Exact search over all lengths: the best difference, a shortest plan for it, the pairs and a
 /// shortest plan for each.
 pub fn equals_closure(judge: &Judge, wish: &Wish) {

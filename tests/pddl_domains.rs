@@ -104,6 +104,19 @@ fn exact_search_and_the_others_agree_with_the_oracles() {
 }
 
 #[test]
+fn bounds_hold_on_a_thousand_documents_in_pddl() {
+    let mut dice = Dice::new(72);
+    for seed in 0..250 {
+        for mut document in small(seed) {
+            if seed > 5 {
+                atoms::change(&mut dice, &mut document);
+            }
+            exact::bounds_hold_for(&judge(&document), &mut dice);
+        }
+    }
+}
+
+#[test]
 fn both_encodings_agree_with_enumeration() {
     let mut dice = Dice::new(71);
     let mut feasible = 0;

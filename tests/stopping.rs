@@ -145,6 +145,7 @@ fn a_cancelled_run_keeps_the_best_plan() {
 #[test]
 fn progress_holds_what_the_outcome_then_says() {
     let mut dice = Dice::new(22);
+    let (mut bounded, mut gaps) = (0, 0);
     for _ in 0..1500 {
         let (judge, wish, options) = random_case(&mut dice);
         let whole = in_slices(&judge, &options, u64::MAX);
@@ -159,6 +160,12 @@ fn progress_holds_what_the_outcome_then_says() {
             done = progress.done;
             if let (Some(bound), Some(best)) = (progress.bound, whole.goal_difference) {
                 assert!(bound >= best - 1e-9, "bound {bound}, best {best}");
+                bounded += 1;
+            }
+            if let (Some(value), Some(best)) = (progress.goal_difference, whole.goal_difference)
+                && whole.status == Status::Optimal
+            {
+                assert!(value <= best + 1e-9, "value {value}, best {best}");
             }
             if let Some(plan) = &progress.plan {
                 let ending = judge.ending(plan);
@@ -166,11 +173,17 @@ fn progress_holds_what_the_outcome_then_says() {
                 let most = judge.table.goals.len() as f64 - 1.0;
                 let difference = oracle::difference(&judge.table, &ending) as f64 / most;
                 assert!((progress.goal_difference.unwrap() - difference).abs() < 1e-9);
-                assert!(progress.gap().is_none_or(|gap| gap >= 0.0));
+                let gap = progress.bound.map(|bound| bound - progress.goal_difference.unwrap());
+                assert_eq!(progress.gap().is_some(), gap.is_some());
+                // Not clamped: the bound is no less than the value.
+                assert!(gap.is_none_or(|gap| gap >= -1e-9), "{gap:?}");
+                assert!(progress.gap().zip(gap).is_none_or(|(a, b)| (a - b).abs() < 1e-9));
+                gaps += usize::from(gap.is_some_and(|gap| gap > 1e-9));
             }
         }
         assert_same(run.outcome().unwrap(), &whole);
     }
+    assert!(bounded > 500 && gaps > 20, "{bounded} {gaps}");
 }
 
 /// What a limited run may say: the same as without the limit, or that it was limited.
