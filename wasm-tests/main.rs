@@ -9,7 +9,10 @@ mod replay;
 #[path = "../tests/exercises/seeds.rs"]
 mod seeds;
 
+use std::sync::Arc;
+
 use mo_copp::domain::Document;
+use mo_copp::solver::{Options, Run, Solver};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test]
@@ -45,4 +48,28 @@ fn documents_are_refused_with_the_same_words() {
         message(r#"{"format": "gridworld", "width": 8.0}"#),
         "width: found 8.0, expected a whole number from 1 to 256"
     );
+}
+
+/// As natively (`tests/stopping.rs`).
+#[wasm_bindgen_test]
+fn slices_of_any_size_give_the_same_outcome() {
+    for text in
+        [include_str!("../examples/gridworld.json"), include_str!("../examples/driverlog.json")]
+    {
+        let problem = Arc::new(Document::parse(text).unwrap().problem().unwrap());
+        for solver in [Solver::Exact, Solver::Satisficing, Solver::Search] {
+            let mut options = Options::new(solver);
+            options.bounds.at_least = Some(2);
+            let outcome = |budget: u64| {
+                let mut run = Run::new(Arc::clone(&problem), options.clone()).unwrap();
+                while !run.advance(budget).unwrap() {}
+                run.outcome().unwrap()
+            };
+            let whole = outcome(u64::MAX);
+            assert!(whole.plan.is_some());
+            for budget in [1, 2, 7, 64] {
+                assert_eq!(outcome(budget), whole, "{} in slices of {budget}", solver.name());
+            }
+        }
+    }
 }

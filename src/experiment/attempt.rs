@@ -75,9 +75,7 @@ fn attempt(
     if stop.load(Ordering::SeqCst) {
         return Ok(Ended::Stopped);
     }
-    if matches!(outcome.limit, Some(LimitReached::Memory { .. }))
-        && bytes < setting.limits.memory_mib << 20
-    {
+    if outcome.met_memory_limit() && bytes < setting.limits.memory_mib << 20 {
         return Ok(Ended::MoreMemory);
     }
     let mut record = Record::new(job, seed, drawn.redraws, &problem, asked, &outcome, seconds);

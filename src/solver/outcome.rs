@@ -88,6 +88,9 @@ pub struct Stats {
     pub settled_by_pairs: u64,
     /// How often a friend's belief had to be worked out for its bounds.
     pub settled_by_beliefs: u64,
+    /// How often a part of the solver met its share of the memory limit, and another part went on: with more memory the
+    /// work may have been another.
+    pub memory_stops: u64,
 }
 
 impl Stats {
@@ -108,6 +111,7 @@ impl Stats {
         self.walks_found += earlier.walks_found;
         self.settled_by_pairs += earlier.settled_by_pairs;
         self.settled_by_beliefs += earlier.settled_by_beliefs;
+        self.memory_stops += earlier.memory_stops;
     }
 
     /// Adds the work of another engine on the same question; of sizes the greater counts.
@@ -205,6 +209,11 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Whether the solver, or a part of it, met the memory limit: with more memory the answer or its work may be another.
+    pub(crate) fn met_memory_limit(&self) -> bool {
+        self.stats.memory_stops > 0 || matches!(self.limit, Some(LimitReached::Memory { .. }))
+    }
+
     /// How far the plan may be from the best there is, in goal difference: 0 where it is proved
     /// best.
     pub fn gap(&self) -> Option<f64> {

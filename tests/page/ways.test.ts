@@ -192,7 +192,8 @@ for (const [name, script] of [
       await solved(page);
       for (const tab of ["Edit", "Compare", "Trade-off", "Exercise", "Steps"]) {
         await page.locator("#one").getByRole("tab", { name: tab }).click();
-        await page.locator("#one").getByRole("tabpanel", { name: tab }).locator("button, table").first().waitFor();
+        const panel = page.locator("#one").getByRole("tabpanel", { name: tab });
+        await panel.locator("button, input, table").first().waitFor({ state: "attached" });
       }
     }));
 }

@@ -88,9 +88,7 @@ impl<R: Fn(&str) -> Result<Document, String> + Sync> Attempt<Benchmarks> for Ben
             }
             Err(error) => return refused(NoOutcome::Failed(error.to_string())),
         };
-        if matches!(outcome.limit, Some(LimitReached::Memory { .. }))
-            && bytes < limits.memory_mib << 20
-        {
+        if outcome.met_memory_limit() && bytes < limits.memory_mib << 20 {
             return Ok(Ended::MoreMemory);
         }
         let (run, times) = (self.benchmarks, (reading, seconds));

@@ -7,13 +7,17 @@ use super::dominance::Policy;
 use super::sampling::SampleSize;
 use super::schedule::{Question, Schedule};
 use super::{Advance, Engine, Optimiser};
+use crate::domain::Pddl;
+use crate::domain::pddl::generate::{BlocksworldShape, DriverlogShape, LogisticsShape};
 use crate::problem::Role::{self, Adversarial, Cooperative};
 use crate::solver::outcome::Progress;
 use crate::solver::{Options, Solver, Status};
 use crate::trace::{validate, validate_with};
 
 use crate::solver::common::random::{self, MEDIUM, PAIR, Size};
-use crate::solver::common::{Dice, Judge, Wish, oracle};
+use crate::solver::common::{
+    Dice, Judge, Wish, atoms, box_pushing, delivery, gridworld, oracle, recycling_robot,
+};
 
 /// Three and four observers, of mixed roles.
 const COMPANIES: [&[Role]; 5] = [
@@ -155,6 +159,62 @@ fn each_means_alone_and_all_together_equal_the_oracles() {
         for schedule in schedules {
             check(&judge, horizon, &wish, schedule);
             check(&judge, horizon, &wish, Schedule { dominance: Policy::Off, ..schedule });
+        }
+    }
+}
+
+/// A document of each format in turn, small enough to be looked through; those in PDDL have sensors and beliefs of their own.
+fn document(dice: &mut Dice, number: usize) -> Judge {
+    let pddl = |dice: &mut Dice, mut document: Pddl| {
+        atoms::change(dice, &mut document);
+        Judge::of(atoms::table(&document), Arc::new(document.problem().unwrap()))
+    };
+    let (seed, belief) = (number as u64, 1);
+    match number % 7 {
+        0 => {
+            let grid = gridworld::random(dice, 4);
+            Judge::of(gridworld::table(&grid), Arc::new(grid.problem().unwrap()))
+        }
+        1 => {
+            let delivery = delivery::random(dice);
+            Judge::of(delivery::table(&delivery), Arc::new(delivery.problem().unwrap()))
+        }
+        2 => {
+            let boxes = box_pushing::random(dice);
+            Judge::of(box_pushing::table(&boxes), Arc::new(boxes.problem().unwrap()))
+        }
+        3 => {
+            let robots = recycling_robot::random(dice);
+            Judge::of(recycling_robot::table(&robots), Arc::new(robots.problem().unwrap()))
+        }
+        4 => {
+            let shape = BlocksworldShape { blocks: 3, goals: 3, belief };
+            pddl(dice, shape.generate(seed).unwrap().document)
+        }
+        5 => {
+            let (cities, airplanes, packages, facts) = (2, 1, 1, 1);
+            let shape = LogisticsShape { cities, airplanes, packages, facts, goals: 3, belief };
+            pddl(dice, shape.generate(seed).unwrap().document)
+        }
+        _ => {
+            let (places, drivers, trucks, packages) = (3, 1, 1, 1);
+            let shape = DriverlogShape { places, drivers, trucks, packages, goals: 4, belief };
+            pddl(dice, shape.generate(seed).unwrap().document)
+        }
+    }
+}
+
+#[test]
+fn each_means_alone_and_all_together_equal_the_closure_of_every_format() {
+    let schedules = [first(&[]), first(&[0]), first(&[1]), first(&[2]), first(&[2, 0, 1])];
+    let mut dice = Dice::new(87);
+    for number in 0..350 {
+        let judge = document(&mut dice, number);
+        let wish =
+            if number % 3 == 0 { Wish::default() } else { random::wish(&mut dice, &judge.table) };
+        for schedule in schedules {
+            check(&judge, None, &wish, schedule);
+            check(&judge, None, &wish, Schedule { dominance: Policy::Off, ..schedule });
         }
     }
 }

@@ -140,7 +140,10 @@ impl Engine for Portfolio {
             }
             Stage::First(Some(first)) if !first.is_over() => match first.advance(budget) {
                 // Its share was too little; the optimiser has all of the memory.
-                Err(LimitReached::Memory { .. }) => first.leave_greedy(),
+                Err(LimitReached::Memory { .. }) => {
+                    self.earlier.memory_stops += 1;
+                    first.leave_greedy();
+                }
                 answer => return answer,
             },
             Stage::First(_) => self.after_first(),
@@ -153,7 +156,9 @@ impl Engine for Portfolio {
                         Err(_) if self.stats().expansions >= limit => {
                             return Err(LimitReached::Expansions { limit });
                         }
-                        Err(_) => {
+                        Err(met) => {
+                            let memory = matches!(met, LimitReached::Memory { .. });
+                            self.earlier.memory_stops += u64::from(memory);
                             self.after_optimiser();
                             break;
                         }
