@@ -129,8 +129,8 @@ const styles: readonly Style[] = [
     around: (inner) => `<div class="done"><u><s>${inner}</s></u></div>`,
   },
   {
-    name: "text before and after all elements",
-    css: `*::before, *::after { content: "x" } mo-copp-playground::before { content: "x" !important; display: block }`,
+    name: "text before and after the element and all in it",
+    css: `mo-copp-playground::before, mo-copp-playground::after, mo-copp-playground *::before { content: "x" !important; display: block !important }`,
   },
 ];
 
