@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::configuration::{HORIZON_STEP, Lengths};
 use super::record::{Asked, Record};
-use super::series::{Attempt, Ended};
+use super::series::{Attempt, Ended, met_memory_limit};
 use super::{ExperimentError, Job, Setting};
 use crate::limits::LimitReached;
 use crate::problem::Problem;
@@ -75,7 +75,7 @@ fn attempt(
     if stop.load(Ordering::SeqCst) {
         return Ok(Ended::Stopped);
     }
-    if outcome.met_memory_limit() && bytes < setting.limits.memory_mib << 20 {
+    if met_memory_limit(&outcome) && bytes < setting.limits.memory_mib << 20 {
         return Ok(Ended::MoreMemory);
     }
     let mut record = Record::new(job, seed, drawn.redraws, &problem, asked, &outcome, seconds);

@@ -11,6 +11,13 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::{ExperimentError, Shard};
+use crate::limits::LimitReached;
+use crate::solver::Outcome;
+
+/// Whether the solver, or a part of it, met the memory limit: with more memory the answer or its work may be another.
+pub(super) fn met_memory_limit(outcome: &Outcome) -> bool {
+    outcome.stats.memory_stops > 0 || matches!(outcome.limit, Some(LimitReached::Memory { .. }))
+}
 
 /// One problem for one solver.
 pub trait SeriesJob: Sync {

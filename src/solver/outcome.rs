@@ -209,11 +209,6 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether the solver, or a part of it, met the memory limit: with more memory the answer or its work may be another.
-    pub(crate) fn met_memory_limit(&self) -> bool {
-        self.stats.memory_stops > 0 || matches!(self.limit, Some(LimitReached::Memory { .. }))
-    }
-
     /// How far the plan may be from the best there is, in goal difference: 0 where it is proved
     /// best.
     pub fn gap(&self) -> Option<f64> {

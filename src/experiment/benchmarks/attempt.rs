@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use super::{BenchmarkJob, BenchmarkRecord, Benchmarks, NoOutcome};
 use crate::domain::Document;
 use crate::experiment::ExperimentError;
-use crate::experiment::series::{Attempt, Ended};
+use crate::experiment::series::{Attempt, Ended, met_memory_limit};
 use crate::limits::LimitReached;
 use crate::problem::Problem;
 use crate::solver::{Horizon, Options, SolveError, Solver, solve};
@@ -88,7 +88,7 @@ impl<R: Fn(&str) -> Result<Document, String> + Sync> Attempt<Benchmarks> for Ben
             }
             Err(error) => return refused(NoOutcome::Failed(error.to_string())),
         };
-        if outcome.met_memory_limit() && bytes < limits.memory_mib << 20 {
+        if met_memory_limit(&outcome) && bytes < limits.memory_mib << 20 {
             return Ok(Ended::MoreMemory);
         }
         let (run, times) = (self.benchmarks, (reading, seconds));
