@@ -142,7 +142,7 @@ impl Limits {
         self
     }
 
-    /// The same with beliefs of at most so many states listed.
+    /// The same with beliefs listed up to a number of states.
     #[must_use]
     pub fn with_listed(mut self, states: usize) -> Self {
         self.listed = states;

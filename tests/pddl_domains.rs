@@ -77,15 +77,21 @@ fn small_state_spaces_have_the_sizes_worked_out_by_hand() {
     }
 }
 
+/// The small documents of a seed; from the seventh seed on with other atoms.
+fn drawn(dice: &mut Dice, seed: u64) -> [Judge; 4] {
+    small(seed).map(|mut document| {
+        if seed > 5 {
+            atoms::change(dice, &mut document);
+        }
+        judge(&document)
+    })
+}
+
 #[test]
 fn exact_search_and_the_others_agree_with_the_oracles() {
     let mut dice = Dice::new(70);
     for seed in 0..60 {
-        for mut document in small(seed) {
-            if seed > 5 {
-                atoms::change(&mut dice, &mut document);
-            }
-            let judge = judge(&document);
+        for judge in drawn(&mut dice, seed) {
             assert!(!judge.endings().is_empty(), "the true goal can be reached");
             let wish = if dice.percent(30) {
                 Wish::default()
@@ -107,11 +113,8 @@ fn exact_search_and_the_others_agree_with_the_oracles() {
 fn bounds_hold_on_a_thousand_documents_in_pddl() {
     let mut dice = Dice::new(72);
     for seed in 0..250 {
-        for mut document in small(seed) {
-            if seed > 5 {
-                atoms::change(&mut dice, &mut document);
-            }
-            exact::bounds_hold_for(&judge(&document), &mut dice);
+        for judge in drawn(&mut dice, seed) {
+            exact::bounds_hold_for(&judge, &mut dice);
         }
     }
 }
@@ -121,11 +124,7 @@ fn both_encodings_agree_with_enumeration() {
     let mut dice = Dice::new(71);
     let mut feasible = 0;
     for seed in 0..40 {
-        for mut document in small(seed) {
-            if seed > 5 {
-                atoms::change(&mut dice, &mut document);
-            }
-            let judge = judge(&document);
+        for judge in drawn(&mut dice, seed) {
             let wish = random::wish(&mut dice, &judge.table);
             let horizon = dice.between(2, 5);
             let found = integer_programs::equal_enumeration(&judge, horizon, &wish);

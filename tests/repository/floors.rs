@@ -29,7 +29,7 @@ const ENGINES: &[Arrows] = &[
     ("explorer", &["engine", "ground", "options", "outcome"]),
     ("ip", &["engine", "ground", "options", "outcome"]),
     ("optimiser", &["engine", "ground", "options", "outcome"]),
-    ("parallel_walks", &["engine", "options", "outcome"]),
+    ("parallel_walks", &["engine", "ground", "options", "outcome"]),
 ];
 
 /// What is made of several engines, or helps itself to one.

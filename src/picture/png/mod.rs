@@ -79,7 +79,7 @@ pub enum PngError {
     },
 }
 
-/// Makes a PNG of an SVG, with so many pixels for each of its units. Of an animation it shows the last step.
+/// Makes a PNG of an SVG; `scale` is the pixels of each of its units. Of an animation it shows the last step.
 ///
 /// Linear in the pixels.
 ///

@@ -1,7 +1,5 @@
 //! Every threshold of the solvers: unit, reason, effect. None changes what is proved; they decide what is tried first, when
 //! something dearer is worth a try, and how often limits are looked at.
-//!
-//! Those of the parallel walks stand beside what they are about (`parallel_walks`).
 
 use crate::limits::Limits;
 
@@ -38,13 +36,13 @@ pub(in crate::solver) const EXPANSIONS_WITHOUT_A_SMALLER_VALUE: u64 = 1000;
 /// What a goal that cannot be reached any more counts as in a sum of values: more than goals in
 /// problems of the paper's size are away, so that ruling one out for good is worth the way.
 pub(in crate::solver) const UNREACHABLE_VALUE: u32 = 64;
-/// Beliefs of at most so many states are kept whole.
+/// States of the largest belief that is kept whole.
 pub(in crate::solver) const STATES_OF_A_WHOLE_BELIEF: usize = 64;
-/// So many states are kept of a larger belief.
+/// States that are kept of a larger belief.
 pub(in crate::solver) const STATES_KEPT: usize = 16;
-/// Of a belief that is larger and known, so many states are looked at, evenly spread.
+/// States that are looked at, evenly spread, of a belief that is larger and known.
 pub(in crate::solver) const STATES_LOOKED_AT: usize = 1024;
-/// So many states of a belief that is not listed are put together in subsets.
+/// States that are put together in subsets, of a belief that is not listed.
 pub(in crate::solver) const STATES_OF_A_SUBSET: usize = 64;
 
 // Explorer
@@ -170,6 +168,36 @@ pub(in crate::solver) const WORK_AFTER_MEANS: u64 = 300_000;
 pub(in crate::solver) const TIMES_AS_MUCH_WORK: u64 = 10;
 /// The means for a first plan and the optimiser beside them have the memory limit divided by this, each.
 pub(in crate::solver) const SHARE_OF_MEMORY: u64 = 2;
+
+// Parallel walks
+
+/// States of the walkers' beams at first, at most. Where no route has enough walks they are widened (iterative broadening:
+/// Ginsberg and Harvey 1992).
+pub(in crate::solver) const BEAM_WIDTH: usize = 16;
+/// By how much beams are widened, and how wide they get.
+pub(in crate::solver) const BEAM_WIDER: usize = 4;
+pub(in crate::solver) const BEAM_WIDTH_AT_MOST: usize = 256;
+/// States met after a beam for each that is kept, at most: the nearest are expanded first.
+pub(in crate::solver) const MET_FOR_EACH_KEPT: usize = 2;
+/// Values of states that may be worked out for the walks beside a plan from elsewhere: some seconds.
+pub(in crate::solver) const EVALUATIONS_BESIDE: u64 = 400_000;
+/// Goals of a round trip, at most.
+pub(in crate::solver) const LONGEST_TRIP: usize = 8;
+/// Routes through one other goal before round trips.
+pub(in crate::solver) const FIRST_THROUGH_ONE: usize = 3;
+/// States evaluated for a leg to a goal on the way to another, at most: tenths of a second.
+pub(in crate::solver) const EVALUATIONS_ON_THE_WAY: usize = 20_000;
+/// The same for the last leg in the first round: about a second.
+pub(in crate::solver) const EVALUATIONS_OF_A_FIRST_LEG: usize = 50_000;
+/// The same in later rounds: some seconds. A task that takes more is one for the classical planners.
+pub(in crate::solver) const EVALUATIONS_OF_A_LEG: usize = 150_000;
+/// States expanded breadth first for a leg, at most, and their transitions: about half a second.
+pub(in crate::solver) const STATES_BREADTH_FIRST: usize = 500_000;
+pub(in crate::solver) const TRANSITIONS_BREADTH_FIRST: usize = 3_000_000;
+/// States expanded without a value that are as much work as one value.
+pub(in crate::solver) const STATES_FOR_A_VALUE: usize = 16;
+/// Turns that the list of preferred states gains with each smaller value.
+pub(in crate::solver) const TURNS_OF_PREFERRED: i64 = 1_000;
 
 // Remedies
 

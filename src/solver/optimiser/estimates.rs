@@ -6,12 +6,12 @@
 use super::bounds::listing::Listing;
 use super::bounds::pairs::Pairs;
 use super::space::{Actor, Node, Space};
-use super::thresholds::STATES_OF_DISTANCES;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Role};
 use crate::solver::ground::endings::Endings;
 use crate::solver::ground::goal_distances::{self, Combine, GoalDistances};
 use crate::solver::ground::projections;
+use crate::solver::ground::thresholds::STATES_OF_DISTANCES;
 use crate::task::StateId;
 
 /// There is no such plan.

@@ -11,7 +11,7 @@
 //! - [`sampling`] follows samples in place of beliefs that are too large to list,
 //! - [`estimates`] say how long a plan through a node must still be,
 //! - [`bounds`] are the upper bounds on all plans,
-//! - [`schedule`] is what is tried when, by [`thresholds`] that all stand in one place with those of the other engines, and [`stages`] do it.
+//! - [`schedule`] is what is tried when, by [thresholds](crate::solver::ground::thresholds) that all stand in one place with those of the other engines, and [`stages`] do it.
 //!
 //! Over all lengths a plan found so need not be short. A second search, by length, then looks for a
 //! shortest plan of the value that is proved.
@@ -35,7 +35,7 @@ use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, SurvivorCounts};
 use crate::solver::engine::{Advance, Engine, Finding};
-use crate::solver::ground::thresholds;
+use crate::solver::ground::thresholds::EXPANSIONS_BETWEEN_CHECKS;
 use crate::solver::outcome::{Progress, Stats, Status};
 use crate::solver::{Bounds, Options};
 use crate::trace::Witness;
@@ -44,7 +44,6 @@ use estimates::Estimates;
 use schedule::{Schedule, Stage};
 use search::{Order, Search, Way};
 use space::{Actor, Space};
-use thresholds::EXPANSIONS_BETWEEN_CHECKS;
 
 /// The engine for the best plan.
 pub(in crate::solver) struct Optimiser {

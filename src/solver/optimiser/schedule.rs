@@ -6,7 +6,7 @@ use super::bounds::invariants::Invariants;
 use super::dominance::Policy;
 use super::sampling::SampleSize;
 use super::search::Search;
-use super::thresholds::{
+use crate::solver::ground::thresholds::{
     EXPANSIONS_BEFORE_ALL_CLASSES, EXPANSIONS_BEFORE_CLASSES, EXPANSIONS_BEFORE_INVARIANTS,
     EXPANSIONS_BEFORE_PAIRS, EXPANSIONS_BEFORE_PAIRS_SHORTEN, STATES_OF_A_SAMPLE,
     STATES_OF_A_SAMPLE_BY_GOAL, STATES_OF_A_SMALL_SPACE, STATES_OF_CLASSES,

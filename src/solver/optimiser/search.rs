@@ -10,10 +10,12 @@ use super::estimates::Estimates;
 use super::order;
 use super::queue::{BucketQueue, Ties};
 use super::space::{Actor, Node, Space};
-use super::thresholds::{NODES_COMPARED_TO_FIND, NODES_COMPARED_TO_PROVE, STATES_COMPARED_TO_FIND};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::SurvivorCounts;
+use crate::solver::ground::thresholds::{
+    NODES_COMPARED_TO_FIND, NODES_COMPARED_TO_PROVE, STATES_COMPARED_TO_FIND,
+};
 use crate::task::StateId;
 
 /// A node that has been met.

@@ -12,13 +12,13 @@
 
 use std::sync::Arc;
 
-use super::thresholds::WORK_OF_A_DIAGRAM;
 use crate::belief::{BeliefId, Members, StateSets};
 use crate::limits::LimitReached;
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, ProfileId, Role, SurvivorCounts};
 use crate::solver::Bounds;
 use crate::solver::ground::goal_distances::{Combine, GoalDistances, NEVER};
+use crate::solver::ground::thresholds::WORK_OF_A_DIAGRAM;
 use crate::solver::outcome::Stats;
 use crate::task::{Action, StateId};
 

@@ -4,9 +4,11 @@ use super::bounds::pairs::Pairs;
 use super::schedule::{Question, Stage};
 use super::search::{Order, Search, Step, Way};
 use super::space::Actor;
-use super::thresholds::{EXPANSIONS_TO_SHORTEN, EXPANSIONS_WITH_SAMPLES, WORK_TO_SHORTEN};
 use super::{Optimiser, Work, sampling};
 use crate::limits::LimitReached;
+use crate::solver::ground::thresholds::{
+    EXPANSIONS_TO_SHORTEN, EXPANSIONS_WITH_SAMPLES, WORK_TO_SHORTEN,
+};
 
 impl Optimiser {
     /// Asks the next question where it is due; true when one was asked.

@@ -16,6 +16,10 @@ use rustc_hash::FxHashMap;
 use super::estimates::GoalEstimates;
 use crate::heuristic::UNREACHABLE;
 use crate::problem::JointSpace;
+use crate::solver::ground::thresholds::{
+    EVALUATIONS_OF_A_FIRST_LEG, EVALUATIONS_OF_A_LEG, EVALUATIONS_ON_THE_WAY, STATES_BREADTH_FIRST,
+    STATES_FOR_A_VALUE, TRANSITIONS_BREADTH_FIRST, TURNS_OF_PREFERRED,
+};
 use crate::task::{Action, StateId};
 
 /// How much a search for a leg may take.
@@ -23,9 +27,9 @@ use crate::task::{Action, StateId};
 pub(super) enum Effort {
     /// To a goal on the way to another.
     OnTheWay,
-    /// In the first round: about a second.
+    /// In the first round.
     First,
-    /// In later rounds: some seconds. A task that takes more is one for the classical planners.
+    /// In later rounds.
     Most,
 }
 
@@ -33,22 +37,12 @@ impl Effort {
     /// States evaluated, at most.
     fn evaluations(self) -> usize {
         match self {
-            Self::OnTheWay => 20_000,
-            Self::First => 50_000,
-            Self::Most => 150_000,
+            Self::OnTheWay => EVALUATIONS_ON_THE_WAY,
+            Self::First => EVALUATIONS_OF_A_FIRST_LEG,
+            Self::Most => EVALUATIONS_OF_A_LEG,
         }
     }
 }
-
-/// States expanded breadth first, at most, and their transitions: about half a second.
-const MOST_BLIND: usize = 500_000;
-const MOST_TRANSITIONS: usize = 3_000_000;
-
-/// States expanded without a value that are as much work as one value.
-const BLIND_FOR_A_VALUE: usize = 16;
-
-/// Turns that the list of preferred states gains with each smaller value.
-const BOOST: i64 = 1_000;
 
 /// A state that waits: the transition that leads to it, and the state before.
 type Waiting = (usize, StateId);
@@ -159,7 +153,7 @@ impl LegSearch {
             }
             Evaluation::Eager => estimates.of_state(joint, state, self.goal),
             Evaluation::Blind => {
-                if self.work.is_multiple_of(BLIND_FOR_A_VALUE) {
+                if self.work.is_multiple_of(STATES_FOR_A_VALUE) {
                     estimates.worked_out += 1;
                 }
                 u32::from(!joint.goals_of_state(state).contains(self.goal))
@@ -173,7 +167,7 @@ impl LegSearch {
         }
         if value < self.least {
             self.least = value;
-            self.preferred.turns -= BOOST;
+            self.preferred.turns -= TURNS_OF_PREFERRED;
         }
         self.work += 1;
         joint.states_mut().expand(state);
@@ -202,7 +196,9 @@ impl LegSearch {
     fn is_spent(&self) -> bool {
         match self.evaluation {
             Evaluation::Deferred | Evaluation::Eager => self.work >= self.effort.evaluations(),
-            Evaluation::Blind => self.work >= MOST_BLIND || self.transitions >= MOST_TRANSITIONS,
+            Evaluation::Blind => {
+                self.work >= STATES_BREADTH_FIRST || self.transitions >= TRANSITIONS_BREADTH_FIRST
+            }
         }
     }
 

@@ -34,16 +34,11 @@ use crate::limits::{LimitReached, Limits};
 use crate::plan::Plan;
 use crate::problem::{JointSpace, Problem, Role};
 use crate::sensor::Symbol;
+use crate::solver::ground::thresholds::{
+    BEAM_WIDER, BEAM_WIDTH, BEAM_WIDTH_AT_MOST, EVALUATIONS_BESIDE,
+};
 use crate::task::StateId;
 use crate::trace::{Witness, open_goals};
-
-/// States of the walkers' beams at first, at most. Where no route has enough walks they are widened (iterative broadening:
-/// Ginsberg and Harvey 1992).
-const WIDTH: usize = 16;
-
-/// By how much beams are widened, and how wide they get.
-const WIDER: usize = 4;
-const MOST_WIDTH: usize = 256;
 
 /// The engine.
 pub(in crate::solver) struct ParallelWalks {
@@ -100,9 +95,6 @@ pub(in crate::solver) fn suits(problem: &Problem, bounds: &Bounds, horizon: Opti
             .all(|w| role(w.observer) == Role::Adversarial || w.goal == true_goal)
 }
 
-/// The values of states that may be worked out for the walks beside a plan: some seconds.
-const EVALUATIONS_BESIDE: u64 = 400_000;
-
 /// Walks beside a plan from elsewhere: those that came with it, or else for each enemy and goal one, where it is found.
 pub(in crate::solver) fn beside(
     problem: &Arc<Problem>,
@@ -128,7 +120,7 @@ pub(in crate::solver) fn beside(
             {
                 continue;
             }
-            let mut walkers = Walkers::new(&mut joint, &mut estimates, (place, goal), WIDTH);
+            let mut walkers = Walkers::new(&mut joint, &mut estimates, (place, goal), BEAM_WIDTH);
             if let Some((start, actions)) = walkers.walk(&mut joint, &mut estimates, &edges) {
                 let start = joint.states().state(start);
                 found.push(Witness { observer: place, goal, start, actions });
@@ -166,7 +158,7 @@ impl ParallelWalks {
             estimates: GoalEstimates::new(&joint),
             joint,
             routes: Box::new(std::iter::empty()),
-            width: WIDTH,
+            width: BEAM_WIDTH,
             evaluation: Evaluation::Deferred,
             legs: FxHashMap::default(),
             walkers: Vec::new(),
@@ -192,7 +184,7 @@ impl ParallelWalks {
         others.extend((0..goals).filter(|&goal| goal != true_goal && walkers.is_none()));
         let routes = routes::routes(&others, true_goal);
         // Routes through two goals are many: they wait for the widest beams.
-        self.routes = if self.width < MOST_WIDTH {
+        self.routes = if self.width < BEAM_WIDTH_AT_MOST {
             Box::new(routes)
         } else {
             Box::new(routes.chain(routes::through_two(&others, true_goal)))
@@ -231,14 +223,16 @@ impl ParallelWalks {
     fn first_leg(&mut self) -> Stage {
         let root = self.joint.initial();
         let mut route = self.routes.next();
-        if route.is_none() && (self.evaluation != Evaluation::Eager || self.width < MOST_WIDTH) {
+        if route.is_none()
+            && (self.evaluation != Evaluation::Eager || self.width < BEAM_WIDTH_AT_MOST)
+        {
             self.evaluation = match self.evaluation {
                 Evaluation::Deferred => Evaluation::Blind,
                 Evaluation::Blind => Evaluation::Eager,
                 Evaluation::Eager => Evaluation::Deferred,
             };
             if self.evaluation == Evaluation::Deferred {
-                self.width *= WIDER;
+                self.width *= BEAM_WIDER;
                 self.begin_walkers();
                 // What was not found is looked for with more effort.
                 self.legs.retain(|_, leg| leg.is_some());
@@ -254,7 +248,7 @@ impl ParallelWalks {
         match self.legs.get(&(from, goal, self.evaluation)) {
             None => {
                 let effort = match (ahead.len(), self.width) {
-                    (1, WIDTH) => Effort::First,
+                    (1, BEAM_WIDTH) => Effort::First,
                     (1, _) => Effort::Most,
                     _ => Effort::OnTheWay,
                 };

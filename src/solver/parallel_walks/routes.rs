@@ -5,11 +5,7 @@
 //! back: what can be done only once, such as opening a door, is done by then, so a walk that went along has the time of the way
 //! back to leave for a goal of its own. Each trip goes on from the one before, with which it shares all walks up to there.
 
-/// Goals of a round trip, at most.
-const LONGEST_TRIP: usize = 8;
-
-/// Routes through one other goal before round trips.
-const FIRST_THROUGH_ONE: usize = 3;
+use crate::solver::ground::thresholds::{FIRST_THROUGH_ONE, LONGEST_TRIP};
 
 /// The routes to the true goal, each a list of goals that ends in it, through others in the order given.
 pub(super) fn routes(

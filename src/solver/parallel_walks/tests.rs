@@ -168,7 +168,7 @@ fn a_leg_is_found_exactly_where_there_is_one_a_state_at_a_time() {
 }
 
 /// A corridor of five places with a door before the last one, which opens once. The nearest plan ends right behind the door, and
-/// whoever opens it too has no time for the way to the other end.
+/// a walk that opens it too has no time for the way to the other end.
 const CORRIDOR: &str = r#"{
  "format": "pddl",
  "domain": "(define (domain corridor) (:predicates (at ?x) (next ?x ?y) (free ?x) (locked ?x)) (:action move :parameters (?x ?y) :precondition (and (at ?x) (next ?x ?y) (free ?y)) :effect (and (at ?y) (not (at ?x)))) (:action open :parameters (?x ?y) :precondition (and (at ?x) (next ?x ?y) (locked ?y)) :effect (and (free ?y) (not (locked ?y)))))",

@@ -11,10 +11,8 @@ use super::estimates::GoalEstimates;
 use crate::heuristic::UNREACHABLE;
 use crate::problem::JointSpace;
 use crate::sensor::Symbol;
+use crate::solver::ground::thresholds::MET_FOR_EACH_KEPT;
 use crate::task::{Action, StateId};
-
-/// States met after a beam for each that is kept, at most: the nearest are expanded first.
-const MET_FOR_EACH_KEPT: usize = 2;
 
 /// A state of a beam: its estimate, the place of the state before it, and the action between.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -21,8 +21,8 @@ use super::{Bound, Most};
 use crate::goal_difference::GoalSet;
 use crate::limits::LimitReached;
 use crate::problem::Role;
+use crate::solver::ground::thresholds::TRANSITIONS_OF_BLOCKS;
 use crate::solver::optimiser::space::Space;
-use crate::solver::optimiser::thresholds::TRANSITIONS_OF_BLOCKS;
 use crate::task::StateId;
 
 /// The bound.

@@ -3,7 +3,7 @@
 
 use rustc_hash::FxHashSet;
 
-use crate::solver::optimiser::thresholds::WORK_OF_ELIMINATION;
+use crate::solver::ground::thresholds::WORK_OF_ELIMINATION;
 
 /// A Mersenne prime.
 const PRIME: u64 = (1 << 61) - 1;

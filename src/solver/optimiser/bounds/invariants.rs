@@ -34,11 +34,11 @@ use crate::limits::LimitReached;
 use crate::problem::{Problem, Role};
 use crate::sensor::{Sensor, Symbol};
 use crate::solver::Watched;
-use crate::solver::ground::transition_graphs::{Change, TransitionGraphs, changes, value_count};
-use crate::solver::optimiser::space::Space;
-use crate::solver::optimiser::thresholds::{
+use crate::solver::ground::thresholds::{
     BELIEVED_OF_INVARIANTS, FACTS_OF_INVARIANTS, OPERATORS_OF_INVARIANTS, SUMS_OF_INVARIANTS,
 };
+use crate::solver::ground::transition_graphs::{Change, TransitionGraphs, changes, value_count};
+use crate::solver::optimiser::space::Space;
 use crate::task::{Fact, OperatorId, State, Task};
 
 /// The bound.

@@ -7,7 +7,7 @@
 use rustc_hash::FxHashMap;
 
 use super::invariants::{Effect, Facts};
-use crate::solver::optimiser::thresholds::CONTEXTS_OF_INVARIANTS;
+use crate::solver::ground::thresholds::CONTEXTS_OF_INVARIANTS;
 use crate::task::Fact;
 
 /// A group and the number of a block of its values.

@@ -5,6 +5,7 @@
 
 use crate::limits::LimitReached;
 use crate::problem::JointSpace;
+use crate::solver::ground::thresholds::STATES_BETWEEN_CHECKS;
 use crate::task::StateId;
 
 /// A transition as an observer sees it.
@@ -40,7 +41,7 @@ impl Listing {
             }
             joint.states_mut().expand(StateId(next as u32));
             next += 1;
-            if next % 1024 == 0 {
+            if next.is_multiple_of(STATES_BETWEEN_CHECKS) {
                 limits.check_bytes(joint.bytes())?;
             }
         }

@@ -27,10 +27,10 @@ pub(super) mod trivial;
 use std::sync::Arc;
 
 use super::space::Space;
-use super::thresholds::STATES_OF_CLASSES;
 use crate::limits::LimitReached;
 use crate::problem::{JointSpace, Problem};
 use crate::solver::Options;
+use crate::solver::ground::thresholds::STATES_OF_CLASSES;
 
 /// What a bound says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -23,9 +23,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::limits::LimitReached;
 use crate::problem::{ProfileId, Role};
+use crate::solver::ground::thresholds::{BYTES_OF_PAIRS, STATES_OF_PAIRS, WORDS_OF_A_LEVEL};
 use crate::solver::optimiser::estimates::NEVER;
 use crate::solver::optimiser::space::Space;
-use crate::solver::optimiser::thresholds::{BYTES_OF_PAIRS, STATES_OF_PAIRS, WORDS_OF_A_LEVEL};
 use crate::task::StateId;
 
 /// An observer with a table for each goal but the true one.

@@ -1,12 +1,12 @@
 //! Redundant groups: those that linear invariants can do without.
 //!
-//! Such a group follows from others, as a place is occupied where somebody stands. Where its facts have no weight, each observer
+//! Such a group follows from others, as a place is occupied that something stands on. Where its facts have no weight, each observer
 //! knows as many sums that can change as before, and there are fewer sums to tell apart.
 
 use super::elimination::Weights;
 use super::invariants::{Facts, Invariants};
 use crate::problem::Problem;
-use crate::solver::optimiser::thresholds::WORK_OF_REDUNDANCY;
+use crate::solver::ground::thresholds::WORK_OF_REDUNDANCY;
 
 /// Groups are left out on trial.
 struct Trial<'a> {

@@ -4,7 +4,7 @@
 //! As [of two](super::mutual_exclusion), with which it agrees on pairs and says more: a block on one that is in a pile is in
 //! that pile, which no two of these facts show.
 
-use crate::solver::optimiser::thresholds::{FACTS_OF_TRIPLES, WORDS_OF_TRIPLES};
+use crate::solver::ground::thresholds::{FACTS_OF_TRIPLES, WORDS_OF_TRIPLES};
 use crate::task::{Operator, Task};
 
 /// Which three facts may occur together.
